@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A parallel loop whose results can't depend on the number of threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace mgf {
+
+/// The number of threads to use for a wish of `requested` (0: all the machine has).
+inline unsigned thread_count(unsigned requested) {
+  return requested != 0 ? requested : std::max(1U, std::thread::hardware_concurrency());
+}
+
+/// Calls `body(i, worker)` once for each i in [0, count), in chunks taken by `threads` workers in
+/// no fixed order; `worker` in [0, threads) names the caller's own workspace. The result is the
+/// same for any number of threads if `body(i, ·)` writes only what belongs to i. An exception
+/// stops the loop and is rethrown here after all workers have ended.
+template <class Body>
+void parallel_for(std::size_t count, unsigned threads, std::size_t chunk, const Body& body) {
+  threads = static_cast<unsigned>(
+      std::min<std::size_t>(threads, std::max<std::size_t>(1, count / std::max<std::size_t>(chunk, 1))));
+  if (threads <= 1) {
+    for (std::size_t i = 0; i < count; ++i) body(i, 0U);
+    return;
+  }
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> stop{false};
+  std::vector<std::exception_ptr> failures(threads);
+  const auto work = [&](unsigned worker) {
+    try {
+      while (!stop) {
+        const std::size_t first = next.fetch_add(chunk);
+        if (first >= count) return;
+        const std::size_t last = std::min(count, first + chunk);
+        for (std::size_t i = first; i < last; ++i) body(i, worker);
+      }
+    } catch (...) {
+      failures[worker] = std::current_exception();
+      stop = true;
+    }
+  };
+  std::vector<std::thread> pool;
+  pool.reserve(threads - 1);
+  for (unsigned worker = 1; worker < threads; ++worker) pool.emplace_back(work, worker);
+  work(0);
+  for (std::thread& thread : pool) thread.join();
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+}  // namespace mgf
