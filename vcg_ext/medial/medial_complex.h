@@ -2,7 +2,10 @@
 // The medial complex M_T (paper, section 5.1): the dual cell complex of the interior tetrahedra.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -23,18 +26,194 @@ struct MedialComplex {
 
   // Voronoi edges.
   std::vector<std::array<Index, 2>> edge_vertices;
-  std::vector<Triangle> edge_contacts;  ///< corners a < b < c of the dual triangle
+  std::vector<Triangle> edge_contacts;            ///< corners a < b < c of the dual triangle
   std::vector<std::array<Index, 3>> edge_facets;  ///< dual to the sides bc, ca, ab; kNone for a
                                                   ///< side on the surface
 
   // Voronoi facets.
   std::vector<VertexPair> facet_contacts;  ///< ends a < b of the dual Delaunay edge
-  Rows<Index> facet_edges;                 ///< the bounding Voronoi edges, in cyclic order
+  Rows<Index> facet_edges;     ///< the bounding Voronoi edges, right-handed about a → b
   Rows<Index> facet_vertices;  ///< vertex i lies between edges i-1 and i of the same row
 
   std::size_t vertex_count() const { return position.size(); }
   std::size_t edge_count() const { return edge_vertices.size(); }
   std::size_t facet_count() const { return facet_contacts.size(); }
 };
+
+namespace detail {
+
+/// The local number of corner `vertex` in a tetrahedron that has it.
+inline std::size_t local_corner(const Tetrahedron& tetrahedron, Index vertex) {
+  std::size_t i = 0;
+  while (tetrahedron[i] != vertex) ++i;
+  return i;
+}
+
+/// The corner of a tetrahedron that is none of the other three.
+inline Index fourth_corner(const Tetrahedron& tetrahedron, Index x, Index y, Index z) {
+  for (const Index corner : tetrahedron) {
+    if (corner != x && corner != y && corner != z) return corner;
+  }
+  return kNone;
+}
+
+/// The six edges of a tetrahedron (i, j) with the other two corners (k, l) such that (i, j, k, l)
+/// is an even permutation.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 6> kTetrahedronEdges = {
+    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
+
+/// The number in `kTetrahedronEdges` of the edge between two local corners.
+inline std::size_t local_edge(std::size_t i, std::size_t j) {
+  if (i > j) std::swap(i, j);
+  return i == 0 ? j - 1 : i + j;
+}
+
+/// Numbers the Voronoi edges; `edge_across[t][i]` is the one through the face opposite corner i.
+inline std::vector<std::array<Index, 4>> number_voronoi_edges(const InteriorTetrahedra& interior,
+                                                              MedialComplex& complex) {
+  const std::size_t count = interior.tetrahedra.size();
+  std::vector<std::array<Index, 4>> edge_across(count, {kNone, kNone, kNone, kNone});
+  for (Index t = 0; t < count; ++t) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index u = interior.neighbours[t][i];
+      if (u == kNone || edge_across[t][i] != kNone) continue;
+      const Tetrahedron& corners = interior.tetrahedra[t];
+      Triangle dual{corners[(i + 1) % 4], corners[(i + 2) % 4], corners[(i + 3) % 4]};
+      const Index apex = fourth_corner(interior.tetrahedra[u], dual[0], dual[1], dual[2]);
+      std::sort(dual.begin(), dual.end());
+      const Index edge = to_index(complex.edge_count());
+      edge_across[t][i] = edge;
+      edge_across[u][local_corner(interior.tetrahedra[u], apex)] = edge;
+      complex.edge_vertices.push_back({t, u});
+      complex.edge_contacts.push_back(dual);
+    }
+  }
+  complex.edge_facets.assign(complex.edge_count(), {kNone, kNone, kNone});
+  return edge_across;
+}
+
+/// The tetrahedra around one Delaunay edge with the Voronoi edges between them.
+struct EdgeRing {
+  std::vector<Index> tetrahedra;
+  std::vector<Index> crossed;
+  bool closed = false;  ///< false: the ring met the boundary, so the edge has no facet
+};
+
+/// Walks round edge number `edge` of tetrahedron `start`, marking what it passes in `visited`
+/// (a bit per local edge).
+inline void walk_ring(const InteriorTetrahedra& interior,
+                      const std::vector<std::array<Index, 4>>& edge_across, Index start,
+                      std::size_t edge, std::vector<std::uint8_t>& visited, EdgeRing& ring) {
+  ring.tetrahedra.clear();
+  ring.crossed.clear();
+  const auto [i, j, k, l] = kTetrahedronEdges[edge];
+  const Tetrahedron& first = interior.tetrahedra[start];
+  const Index x = first[i];
+  const Index y = first[j];
+  Index behind = first[k];  // the face opposite `behind` is crossed next
+  Index ahead = first[l];
+  Index t = start;
+  do {
+    const Tetrahedron& corners = interior.tetrahedra[t];
+    visited[t] = static_cast<std::uint8_t>(
+        visited[t] | (1U << local_edge(local_corner(corners, x), local_corner(corners, y))));
+    const std::size_t face = local_corner(corners, behind);
+    const Index next = interior.neighbours[t][face];
+    if (next == kNone) {
+      ring.closed = false;
+      return;
+    }
+    ring.tetrahedra.push_back(t);
+    ring.crossed.push_back(edge_across[t][face]);
+    behind = std::exchange(ahead, fourth_corner(interior.tetrahedra[next], x, y, ahead));
+    t = next;
+  } while (t != start);
+  ring.closed = true;
+}
+
+/// Adds the facet dual to edge xy with the given ring, right-handed about x → y.
+inline void add_facet(Index x, Index y, const EdgeRing& ring, MedialComplex& complex) {
+  const Index facet = to_index(complex.facet_count());
+  const std::size_t n = ring.tetrahedra.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (x < y) {
+      complex.facet_vertices.items.push_back(ring.tetrahedra[i]);
+      complex.facet_edges.items.push_back(ring.crossed[i]);
+    } else {  // about y → x the ring runs backwards
+      complex.facet_vertices.items.push_back(ring.tetrahedra[n - 1 - i]);
+      complex.facet_edges.items.push_back(ring.crossed[(2 * n - 2 - i) % n]);
+    }
+  }
+  complex.facet_vertices.close_row();
+  complex.facet_edges.close_row();
+  complex.facet_contacts.push_back({std::min(x, y), std::max(x, y)});
+  for (const Index edge : ring.crossed) {
+    const Triangle& dual = complex.edge_contacts[edge];
+    std::size_t apex = 0;
+    while (dual[apex] == x || dual[apex] == y) ++apex;
+    complex.edge_facets[edge][apex] = facet;
+  }
+}
+
+/// Centre of the sphere through four points; not finite where they lie in a plane. The caller
+/// gives the corners in a fixed order so that equal tetrahedra get equal centres.
+inline Vec3 circumcentre(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+  const Vec3 a = q - p;
+  const Vec3 b = r - p;
+  const Vec3 c = s - p;
+  const Vec3 bc = b.cross(c);
+  const Vec3 sum =
+      a.squaredNorm() * bc + b.squaredNorm() * c.cross(a) + c.squaredNorm() * a.cross(b);
+  return p + sum / (2.0 * a.dot(bc));
+}
+
+}  // namespace detail
+
+/// The circumcentre of tetrahedron t, the same for any order of its corners.
+inline Vec3 tetrahedron_circumcentre(const InteriorTetrahedra& interior, Index t) {
+  Tetrahedron corners = interior.tetrahedra[t];
+  std::sort(corners.begin(), corners.end());
+  return detail::circumcentre(interior.points[corners[0]], interior.points[corners[1]],
+                              interior.points[corners[2]], interior.points[corners[3]]);
+}
+
+/// The dual complex of `interior`, Voronoi vertices at their circumcentres wherever these lie (not
+/// finite for flat tetrahedra): `place_voronoi_vertices` mends that. Linear time.
+inline MedialComplex build_medial_complex(const InteriorTetrahedra& interior) {
+  MedialComplex complex;
+  const std::size_t count = interior.tetrahedra.size();
+  complex.position.resize(count);
+  complex.radius.resize(count);
+  complex.displaced.assign(count, 0);
+  for (Index t = 0; t < count; ++t) {
+    complex.position[t] = tetrahedron_circumcentre(interior, t);
+    complex.radius[t] = (interior.points[interior.tetrahedra[t][0]] - complex.position[t]).norm();
+  }
+
+  const auto edge_across = detail::number_voronoi_edges(interior, complex);
+  for (const std::array<Index, 4>& around : edge_across) {
+    const std::size_t first = complex.vertex_edges.items.size();
+    for (const Index edge : around) {
+      if (edge != kNone) complex.vertex_edges.items.push_back(edge);
+    }
+    std::sort(complex.vertex_edges.items.begin() + static_cast<std::ptrdiff_t>(first),
+              complex.vertex_edges.items.end());
+    complex.vertex_edges.close_row();
+  }
+
+  std::vector<std::uint8_t> visited(count, 0);
+  detail::EdgeRing ring;
+  for (Index t = 0; t < count; ++t) {
+    for (std::size_t e = 0; e < 6; ++e) {
+      if ((visited[t] >> e & 1U) != 0) continue;
+      detail::walk_ring(interior, edge_across, t, e, visited, ring);
+      if (!ring.closed) continue;
+      const auto& local = detail::kTetrahedronEdges[e];
+      detail::add_facet(interior.tetrahedra[t][local[0]], interior.tetrahedra[t][local[1]], ring,
+                        complex);
+    }
+  }
+  return complex;
+}
 
 }  // namespace mgf

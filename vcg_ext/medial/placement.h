@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Placement of Voronoi vertices inside the shape. A circumcentre may lie outside; which cells there
+// are does not depend on it, so it may be moved without touching the topology.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/interior_tetrahedra.h"
+#include "vcg_ext/medial/medial_complex.h"
+
+namespace mgf {
+
+namespace detail {
+
+/// How far one can go from inside tetrahedron t at `from` towards `to` before leaving the interior:
+/// a share in [0, 1]. Walks from tetrahedron to tetrahedron; `step_limit` bounds the walk where
+/// rounding in slivers could make it wander, and then the share reached so far is given.
+inline double visible_share(const InteriorTetrahedra& interior, Index t, const Vec3& from,
+                            const Vec3& to, std::size_t step_limit) {
+  const Vec3 direction = to - from;
+  Index previous = kNone;
+  double reached = 0.0;
+  for (std::size_t step = 0; step < step_limit; ++step) {
+    const Tetrahedron& corners = interior.tetrahedra[t];
+    double exit_share = std::numeric_limits<double>::infinity();
+    std::size_t exit_face = 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (interior.neighbours[t][i] == previous && previous != kNone) continue;
+      const Vec3& p = interior.points[corners[(i + 1) % 4]];
+      const Vec3 normal = (interior.points[corners[(i + 2) % 4]] - p)
+                              .cross(interior.points[corners[(i + 3) % 4]] - p);
+      const double outward = normal.dot(p - interior.points[corners[i]]) > 0.0 ? 1.0 : -1.0;
+      const double speed = outward * normal.dot(direction);
+      if (speed <= 0.0) continue;
+      const double share = outward * normal.dot(p - from) / speed;
+      if (share < exit_share) {
+        exit_share = share;
+        exit_face = i;
+      }
+    }
+    if (exit_face == 4 || exit_share >= 1.0) return 1.0;
+    reached = std::max(reached, exit_share);
+    const Index next = interior.neighbours[t][exit_face];
+    if (next == kNone) return reached;
+    previous = t;
+    t = next;
+  }
+  return reached;
+}
+
+}  // namespace detail
+
+/// Centroid of a tetrahedron.
+inline Vec3 tetrahedron_centroid(const InteriorTetrahedra& interior, Index t) {
+  const Tetrahedron& corners = interior.tetrahedra[t];
+  return 0.25 * (interior.points[corners[0]] + interior.points[corners[1]] +
+                 interior.points[corners[2]] + interior.points[corners[3]]);
+}
+
+/// Moves each Voronoi vertex that its tetrahedron's centroid can't see inside the shape back along
+/// the line of sight, to nine tenths of what can be seen, and marks it as displaced. Afterwards
+/// every vertex is finite and inside T'. Cost: one short walk a vertex.
+inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialComplex& complex) {
+  constexpr double kKeptShare = 0.9;
+  constexpr std::size_t kStepLimit = 1000;
+  const double far_away = 2.0 * bounding_box_diagonal(interior.points);
+  for (Index t = 0; t < complex.vertex_count(); ++t) {
+    const Vec3 centroid = tetrahedron_centroid(interior, t);
+    Vec3& position = complex.position[t];
+    const double distance = (position - centroid).norm();
+    double share = 0.0;
+    if (distance <= far_away) {  // false for a circumcentre that is not finite
+      share = detail::visible_share(interior, t, centroid, position, kStepLimit);
+    }
+    if (share >= 1.0) continue;
+    position = share > 0.0 ? Vec3(centroid + kKeptShare * share * (position - centroid)) : centroid;
+    complex.displaced[t] = 1;
+    complex.radius[t] = far_away;
+    for (const Index corner : interior.tetrahedra[t]) {
+      complex.radius[t] = std::min(complex.radius[t], (interior.points[corner] - position).norm());
+    }
+  }
+}
+
+}  // namespace mgf

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Marking of skeleton edges by the divergence of the MGF (paper, section 5.3).
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/medial_complex.h"
+#include "vcg_ext/medial/medial_geodesic_function.h"
+
+namespace mgf {
+
+/// The divergence score of an edge that can't be marked at any theta.
+inline constexpr double kUnmarkable = std::numeric_limits<double>::infinity();
+
+/// Which of the edges that qualify are marked.
+enum class MarkingRule {
+  kAll,          ///< all of them that close no loop
+  kOnePerFacet,  ///< the paper's: at most one edge of a facet, the strongest first
+};
+
+namespace detail {
+
+/// The inward normal n of a Voronoi edge towards the facet dual to side ab of its dual triangle
+/// abc: it lies in the plane of abc, orthogonal to ab, away from c. Zero if abc is collinear.
+inline Vec3 normal_towards_facet(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 axis = (b - a).normalized();
+  const Vec3 height = (c - a) - axis * axis.dot(c - a);
+  const double norm = height.norm();
+  constexpr double kCollinear = 1e-12;
+  return norm > kCollinear * (c - a).norm() ? Vec3(-height / norm) : Vec3(Vec3::Zero());
+}
+
+/// Sets of vertices joined by edges, to keep the marks a forest.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t size) : parent_(size) {
+    for (Index i = 0; i < size; ++i) parent_[i] = i;
+  }
+  Index find(Index i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  /// Joins the sets of i and j; false if they are one already.
+  bool join(Index i, Index j) {
+    i = find(i);
+    j = find(j);
+    if (i == j) return false;
+    parent_[std::max(i, j)] = std::min(i, j);
+    return true;
+  }
+
+ private:
+  std::vector<Index> parent_;
+};
+
+}  // namespace detail
+
+/// For each Voronoi edge E the largest d_E(F) = v(F) · n over its incident facets F: the smallest
+/// theta above which the gradient flow of *every* facet sinks into E. In [-1, 1]; `kUnmarkable` on
+/// the boundary of M_T (at most one facet), beside a displaced vertex, and where a facet's gradient
+/// or normal vanishes. `points` are the surface's, numbered as the contacts.
+inline std::vector<double> divergence_scores(const MedialComplex& complex,
+                                             const MedialGeodesicField& field,
+                                             const std::vector<Vec3>& points) {
+  std::vector<double> score(complex.edge_count(), kUnmarkable);
+  for (std::size_t e = 0; e < score.size(); ++e) {
+    const auto& ends = complex.edge_vertices[e];
+    if (complex.displaced[ends[0]] != 0 || complex.displaced[ends[1]] != 0) continue;
+    const Triangle& dual = complex.edge_contacts[e];
+    std::size_t facets = 0;
+    double largest = -1.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index facet = complex.edge_facets[e][i];
+      if (facet == kNone) continue;
+      ++facets;
+      const Vec3 normal = detail::normal_towards_facet(
+          points[dual[(i + 1) % 3]], points[dual[(i + 2) % 3]], points[dual[i]]);
+      const Vec3& gradient = field.gradient[facet];
+      const bool defined = !normal.isZero(0.0) && !gradient.isZero(0.0);
+      largest = std::max(largest, defined ? gradient.dot(normal) : kUnmarkable);
+    }
+    if (facets >= 2) score[e] = largest;
+  }
+  return score;
+}
+
+/// The edges marked at every theta up to `loosest_theta`: E is marked at theta if it is in the list
+/// and its score is below theta. Ascending by (score, rank), so the marks at one theta are a prefix
+/// of the marks at any larger one. Marks close no loop (paper, section 5.3: MGF has no local
+/// minimum). `rank` orders edges with equal scores.
+inline std::vector<Index> choose_marks(const MedialComplex& complex,
+                                       const std::vector<double>& score,
+                                       const std::vector<Index>& rank, double loosest_theta,
+                                       MarkingRule rule) {
+  std::vector<Index> candidates;
+  for (Index e = 0; e < score.size(); ++e) {
+    if (score[e] < loosest_theta) candidates.push_back(e);
+  }
+  std::sort(candidates.begin(), candidates.end(), [&](Index e, Index g) {
+    return score[e] != score[g] ? score[e] < score[g] : rank[e] < rank[g];
+  });
+
+  std::vector<Index> marks;
+  detail::DisjointSets joined(complex.vertex_count());
+  std::vector<char> facet_used(complex.facet_count(), 0);
+  for (const Index e : candidates) {
+    const auto& facets = complex.edge_facets[e];
+    const bool blocked =
+        rule == MarkingRule::kOnePerFacet &&
+        std::any_of(facets.begin(), facets.end(),
+                    [&](Index facet) { return facet != kNone && facet_used[facet] != 0; });
+    if (blocked || !joined.join(complex.edge_vertices[e][0], complex.edge_vertices[e][1])) continue;
+    marks.push_back(e);
+    for (const Index facet : facets) {
+      if (facet != kNone) facet_used[facet] = 1;
+    }
+  }
+  return marks;
+}
+
+}  // namespace mgf
