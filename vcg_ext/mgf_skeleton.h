@@ -1,26 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole story: from a closed surface to its medial axis, medial geodesic function, curve
-// skeleton and tubular/flat segmentation (Dey & Sun 2006). Each function is a stage; each takes the
-// results before it and changes none of them.
+// The whole story: from a closed surface to its medial axis, medial geodesic function and curve
+// skeleton (Dey & Sun 2006). Each function is a stage; each takes the results before it and changes
+// none of them. What is made from a skeleton (branches, smoothing, circles, segmentation, parts) is
+// in skeleton/ and surface/.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/errors.h"
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/exact/surface_tree.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
+#include "vcg_ext/input/diagnosis.h"
+#include "vcg_ext/input/point_insertion.h"
 #include "vcg_ext/input/refined_surface.h"
+#include "vcg_ext/input/sampling.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/medial_complex.h"
 #include "vcg_ext/medial/medial_geodesic_function.h"
-#include "vcg_ext/skeleton/branches.h"
-#include "vcg_ext/skeleton/curve_skeleton.h"
-#include "vcg_ext/surface/geodesic_circles.h"
-#include "vcg_ext/surface/segmentation.h"
-#include "vcg_ext/surface/surface_map.h"
+#include "vcg_ext/medial/placement.h"
+#include "vcg_ext/medial/recover_interior.h"
+#include "vcg_ext/skeleton/skeleton_hierarchy.h"
 
 namespace mgf {
 
@@ -29,50 +35,184 @@ struct StageTime {
   std::string stage;  ///< snake_case
   double seconds = 0.0;
 };
+using StageTimes = std::vector<StageTime>;
 
 /// How the input is prepared and its medial axis made.
 struct MedialAxisOptions {
-  /// Longest edge of the sampled surface, mesh units; 0: leave the sampling; none: choose it by
-  /// local thickness where the surface is too coarse for a medial axis.
-  std::optional<double> sampling_length;
-  bool ignore_cavities = false;  ///< drop shells that lie inside another instead of refusing
-  bool lift_overlaps = true;     ///< let limbs pass through each other without a junction
-  unsigned threads = 0;          ///< 0: all
+  DiagnosisOptions diagnosis;
+  SamplingOptions sampling;
+  RecoveryOptions recovery;
 };
 
 /// The medial axis with everything it stands on.
 struct MedialAxis {
-  TriangleSurface input;          ///< the working copy: repaired, the user's numbering kept
-  RefinedSurface surface;         ///< T with all added points: what geodesics run on
+  Diagnosis diagnosis;    ///< of the user's mesh
+  WorkingCopy working;    ///< that mesh repaired, with the way back to its numbering
+  RefinedSurface surface; ///< `working` with all added points on it: what geodesics run on
   InteriorTetrahedra interior;
   MedialComplex complex;
-  std::vector<Index> vertex_component;  ///< solid of each vertex of `surface`
-  Index components = 0;           ///< solids in the mesh
-  Index genus = 0;                ///< sum over the solids
-  Index samples_added = 0;        ///< points that are no vertex of the input
+  Index samples_added = 0;  ///< vertices of `surface` that are none of `working`
   Warnings warnings;
-  std::vector<StageTime> times;
+  StageTimes times;
 };
 
-/// Which edges make the skeleton, and how it is shown.
-struct SkeletonOptions {
-  double theta = -0.7;  ///< divergence threshold of the marking, in [-1.1, 0]; smaller: less detail
-  double prune = 0.75;  ///< significance below which a leaf branch is dropped; 0: the paper's output
-  bool one_mark_per_facet = false;  ///< the paper's rule against small branches
-  bool open_pockets = false;        ///< open a closed pocket of the medial axis at its lowest MGF
+/// The MGF with its time.
+struct MedialGeodesicFunction {
+  MedialGeodesicField field;
+  StageTimes times;
 };
 
-/// The skeleton at every theta, from one erosion.
-struct SkeletonHierarchy {
-  CurveSkeleton full;          ///< at the loosest theta; edges carry `theta_birth`
-  Index residual_facets = 0;   ///< facets that no collapse could reach: a closed pocket
-  Index pockets_opened = 0;    ///< loops or voids given up by `open_pockets`
-  Index outside_edges = 0;     ///< graph edges that meet the surface
-  BettiNumbers betti_before;   ///< of the medial complex
-  BettiNumbers betti_after;    ///< of the eroded complex
-  Index last_node = kNone;     ///< node of `full` that remains of a tree when every mark is gone
+/// The skeleton at every theta, with what there is to say about it.
+struct CurveSkeletonResult {
+  SkeletonHierarchy hierarchy;
   Warnings warnings;
-  std::vector<StageTime> times;
+  StageTimes times;
 };
+
+namespace detail {
+
+/// Measures the stages of one function.
+class StageClock {
+ public:
+  /// The seconds since the last call (or since construction) belong to `stage`.
+  void finish(const char* stage, StageTimes& times) {
+    const auto now = Clock::now();
+    times.push_back({stage, std::chrono::duration<double>(now - start_).count()});
+    start_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+inline std::string to_text(const BettiNumbers& betti) {
+  return std::to_string(betti.b0) + "/" + std::to_string(betti.b1) + "/" + std::to_string(betti.b2);
+}
+
+inline void warn_of_topology(const TopologyCertificate& certificate, Warnings& warnings) {
+  const std::string numbers = "The interior has Betti numbers " + to_text(certificate.betti) +
+                              ", the surface's genus asks for " + to_text(certificate.expected) +
+                              ".";
+  if (certificate.topology == TopologyVerdict::kFailed) {
+    warnings.push_back({"topology_failed",
+                        "The skeleton does not have the topology of the surface. " + numbers +
+                            " Remove self-intersections or remesh."});
+  } else if (certificate.topology == TopologyVerdict::kCounted) {
+    warnings.push_back(
+        {"topology_counted", "The topology agrees by count but is not proven. " + numbers});
+  }
+}
+
+/// Whether segments stay inside the region of positive winding number of a surface.
+inline SegmentInside inside_test(const SurfaceTree& tree, bool self_intersecting) {
+  return [&tree, self_intersecting](const Vec3& a, const Vec3& b) {
+    if (a == b || !tree.segment_meets(a, b)) return tree.inside(a);
+    if (!self_intersecting) return false;
+    // The segment may pass through a sheet that lies inside the shape: look on both sides of it.
+    constexpr int kSamples = 16;
+    for (int i = 0; i <= kSamples; ++i) {
+      if (!tree.inside(a + (b - a) * (static_cast<double>(i) / kSamples))) return false;
+    }
+    return true;
+  };
+}
+
+}  // namespace detail
+
+/// Whether the diagnosis has a finding of that code.
+inline bool has_finding(const Diagnosis& diagnosis, const std::string& code) {
+  for (const Finding& finding : diagnosis.findings) {
+    if (finding.code == code) return true;
+  }
+  return false;
+}
+
+/// Stage 1 (paper, section 5.1): the medial complex of a closed surface.
+/// Throws `InputError` for a mesh that can't be served, with the diagnosis as its message.
+inline MedialAxis compute_medial_axis(const TriangleSurface& input,
+                                      const MedialAxisOptions& options = {},
+                                      const Progress& progress = {}) {
+  MedialAxis axis;
+  detail::StageClock clock;
+  progress.report(0.0, "Checking the mesh");
+  axis.diagnosis = diagnose(input, options.diagnosis);
+  axis.working = prepare(input, axis.diagnosis, options.diagnosis);
+  axis.warnings = axis.working.warnings;
+  clock.finish("check", axis.times);
+
+  const RefinedSurface sampled =
+      refine_sampling(axis.working.surface, options.sampling, progress.slice(0.15, 0.3));
+  clock.finish("sampling", axis.times);
+
+  axis.interior =
+      recover_interior(sampled.surface, options.recovery, progress.slice(0.3, 0.9));
+  clock.finish("topology", axis.times);
+
+  progress.report(0.9, "Medial complex");
+  const std::vector<Vec3> added(
+      axis.interior.points.begin() + static_cast<std::ptrdiff_t>(axis.interior.input_points),
+      axis.interior.points.end());
+  axis.surface = added.empty() ? sampled : insert_points(sampled, added);
+  axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
+  axis.complex = build_medial_complex(axis.interior);
+  place_voronoi_vertices(axis.interior, axis.complex);
+  detail::warn_of_topology(axis.interior.certificate, axis.warnings);
+  clock.finish("medial_complex", axis.times);
+  progress.report(1.0, "Medial complex");
+  return axis;
+}
+
+/// Stage 2 (paper, section 5.2): the MGF and its gradient on the facets of the medial axis.
+inline MedialGeodesicFunction compute_medial_geodesic_function(const MedialAxis& axis,
+                                                               const GeodesicOptions& options = {},
+                                                               const Progress& progress = {}) {
+  MedialGeodesicFunction result;
+  detail::StageClock clock;
+  result.field = evaluate_medial_geodesic_function(axis.surface.surface, axis.complex, options,
+                                                   progress);
+  clock.finish("medial_geodesic_function", result.times);
+  return result;
+}
+
+/// Stage 3 (paper, sections 5.3 to 5.5): marking and erosion, the skeleton at every theta.
+inline CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
+                                                      const MedialGeodesicField& field,
+                                                      const SkeletonOptions& options = {},
+                                                      const Progress& progress = {}) {
+  CurveSkeletonResult result;
+  detail::StageClock clock;
+  progress.report(0.0, "Erosion");
+  const SurfaceTree tree(axis.working.surface);
+  const bool self_intersecting = has_finding(axis.diagnosis, "self_intersections");
+  result.hierarchy = build_skeleton_hierarchy(
+      axis.interior, axis.complex, field, axis.surface.surface.points,
+      bounding_box_diagonal(axis.interior.points), options,
+      detail::inside_test(tree, self_intersecting));
+  clock.finish("skeleton", result.times);
+
+  const SkeletonHierarchy& hierarchy = result.hierarchy;
+  if (hierarchy.residual_facets > 0) {
+    result.warnings.push_back(
+        {"closed_pocket", "The medial axis contains a closed surface that no erosion can open; " +
+                              std::to_string(hierarchy.residual_facets) +
+                              " facets are left. The curves around it are delivered; ask for "
+                              "pockets to be opened to get curves only."});
+  }
+  if (hierarchy.pockets_opened > 0) {
+    result.warnings.push_back(
+        {"pocket_opened", std::to_string(hierarchy.pockets_opened) +
+                              " facets of closed pockets were opened: the skeleton's Betti numbers "
+                              "are now " +
+                              detail::to_text(hierarchy.betti) + ", the interior's are " +
+                              detail::to_text(axis.interior.certificate.betti) + "."});
+  }
+  if (hierarchy.outside_edges > 0) {
+    result.warnings.push_back({"outside_edges", std::to_string(hierarchy.outside_edges) +
+                                                    " skeleton edges leave the shape."});
+  }
+  progress.report(1.0, "Erosion");
+  return result;
+}
 
 }  // namespace mgf

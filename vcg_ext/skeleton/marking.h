@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/medial_complex.h"
 #include "vcg_ext/medial/medial_geodesic_function.h"
@@ -32,29 +33,6 @@ inline Vec3 normal_towards_facet(const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr double kCollinear = 1e-12;
   return norm > kCollinear * (c - a).norm() ? Vec3(-height / norm) : Vec3(Vec3::Zero());
 }
-
-/// Sets of vertices joined by edges, to keep the marks a forest.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    for (Index i = 0; i < size; ++i) parent_[i] = i;
-  }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// Joins the sets of i and j; false if they are one already.
-  bool join(Index i, Index j) {
-    i = find(i);
-    j = find(j);
-    if (i == j) return false;
-    parent_[std::max(i, j)] = std::min(i, j);
-    return true;
-  }
-
- private:
-  std::vector<Index> parent_;
-};
 
 }  // namespace detail
 
@@ -104,7 +82,7 @@ inline std::vector<Index> choose_marks(const MedialComplex& complex,
   });
 
   std::vector<Index> marks;
-  detail::DisjointSets joined(complex.vertex_count());
+  DisjointSets joined(complex.vertex_count());
   std::vector<char> facet_used(complex.facet_count(), 0);
   for (const Index e : candidates) {
     const auto& facets = complex.edge_facets[e];

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Marking, erosion and drawing in one go: the skeleton at every theta (paper, sections 5.3 to 5.5).
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/disjoint_sets.h"
+#include "vcg_ext/core/errors.h"
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/interior_tetrahedra.h"
+#include "vcg_ext/medial/medial_complex.h"
+#include "vcg_ext/medial/medial_geodesic_function.h"
+#include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/skeleton/erosion.h"
+#include "vcg_ext/skeleton/erosion_order.h"
+#include "vcg_ext/skeleton/graph_edits.h"
+#include "vcg_ext/skeleton/level_of_detail.h"
+#include "vcg_ext/skeleton/marking.h"
+#include "vcg_ext/skeleton/skeleton_graph.h"
+#include "vcg_ext/skeleton/theta_births.h"
+
+namespace mgf {
+
+/// The range of theta. At the loosest every edge with negative divergence is marked; the paper asks
+/// for no other. Below the strictest, where no mark is left, nothing changes any more.
+inline constexpr double kLoosestTheta = 0.0;
+inline constexpr double kStrictestTheta = -1.1;
+
+/// Which edges make the skeleton, and how it is shown.
+struct SkeletonOptions {
+  double theta = -0.7;  ///< divergence threshold of the marking, in [-1.1, 0]; smaller: less detail
+  double prune = 0.75;  ///< significance below which a leaf branch is dropped; 0: the paper's output
+  MarkingRule marking_rule = MarkingRule::kAll;
+  bool open_pockets = false;  ///< open a closed pocket of the medial axis at its lowest MGF
+};
+
+/// The skeleton at every theta, from one erosion.
+struct SkeletonHierarchy {
+  CurveSkeleton full;             ///< at the loosest theta; edges carry `theta_birth`
+  std::vector<Index> last_nodes;  ///< of `full`: what remains of each tree when every mark is gone
+  Index residual_facets = 0;      ///< facets that no collapse could reach: a closed pocket
+  Index pockets_opened = 0;       ///< facets given up by `open_pockets`, each a change of homotopy
+  Index outside_edges = 0;        ///< graph edges that leave the shape
+  BettiNumbers betti;             ///< of `full` (b2: always 0); equal to the interior's unless
+                                  ///< facets are left or pockets were opened
+};
+
+/// Betti numbers of a graph.
+inline BettiNumbers betti_numbers(const CurveSkeleton& skeleton) {
+  DisjointSets sets(skeleton.node_count());
+  BettiNumbers betti;
+  betti.b0 = to_index(skeleton.node_count());
+  for (const auto& ends : skeleton.edge) {
+    if (sets.join(ends[0], ends[1])) {
+      --betti.b0;
+    } else {
+      ++betti.b1;
+    }
+  }
+  return betti;
+}
+
+/// Marks at the loosest theta, erodes once, and draws what is left. `surface_points` are numbered as
+/// the contacts; `scale` is a length of the size of the shape (its diagonal).
+inline SkeletonHierarchy build_skeleton_hierarchy(
+    const InteriorTetrahedra& interior, const MedialComplex& complex,
+    const MedialGeodesicField& field, const std::vector<Vec3>& surface_points, double scale,
+    const SkeletonOptions& options, const SegmentInside& segment_inside) {
+  constexpr double kMergeShare = 1e-9;  // of `scale`: Voronoi vertices that are one but for rounding
+  const ErosionOrder order = order_cells(complex, field.mgf, surface_points);
+  const std::vector<double> score = divergence_scores(complex, field, surface_points);
+  const std::vector<Index> marks =
+      choose_marks(complex, score, order.edge_rank, kLoosestTheta, options.marking_rule);
+  const ErodedComplex eroded =
+      Erosion(complex, order, field.mgf).run(marks, score, options.open_pockets);
+  const ThetaBirths births = compute_theta_births(complex, eroded, order, kLoosestTheta);
+  SkeletonDrawing drawing = draw_skeleton(interior, complex, field, surface_points, eroded, births,
+                                          segment_inside);
+
+  SkeletonHierarchy hierarchy;
+  std::vector<Index> new_number;
+  hierarchy.full = contract_short_edges(drawing.skeleton, kMergeShare * scale, new_number);
+  fill_undefined_eccentricity(hierarchy.full);
+  average_eccentricity(hierarchy.full);
+  for (const Index node : drawing.last_nodes) hierarchy.last_nodes.push_back(new_number[node]);
+  hierarchy.residual_facets = eroded.residual_facets;
+  hierarchy.pockets_opened = eroded.pockets_opened;
+  hierarchy.outside_edges = drawing.outside_edges;
+  hierarchy.betti = betti_numbers(hierarchy.full);
+  return hierarchy;
+}
+
+/// The skeleton at `theta` without its insignificant leaf branches. Node averages are those of
+/// `full`. Linear in the skeleton but for the pruning's logarithm.
+inline CurveSkeleton skeleton_at(const SkeletonHierarchy& hierarchy, double theta, double prune) {
+  return prune_leaf_branches(skeleton_at_theta(hierarchy.full, hierarchy.last_nodes, theta), prune);
+}
+
+}  // namespace mgf
