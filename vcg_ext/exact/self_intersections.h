@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pairs of triangles in which a surface intersects or touches itself.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "vcg_ext/core/box_tree.h"
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/exact/triangle_predicates.h"
+
+namespace mgf::exact {
+
+/// The pairs i < j of faces that share a point which no common corner or side accounts for, in
+/// ascending order. Exact: 0 pairs means embedded. Collinear faces are left out.
+/// Requires valid indices, finite points, and no two points of the same position.
+/// Cost: O(n log n) for a surface whose faces meet few others.
+inline std::vector<std::array<Index, 2>> self_intersections(const TriangleSurface& surface) {
+  const std::vector<Vec3>& points = surface.points;
+  std::vector<Box> boxes;
+  std::vector<char> degenerate;
+  boxes.reserve(surface.triangles.size());
+  degenerate.reserve(surface.triangles.size());
+  for (const Triangle& t : surface.triangles) {
+    boxes.push_back(box_of_triangle(points[t[0]], points[t[1]], points[t[2]]));
+    degenerate.push_back(collinear(points[t[0]], points[t[1]], points[t[2]]) ? 1 : 0);
+  }
+  std::vector<std::array<Index, 2>> pairs;
+  BoxTree(std::move(boxes)).visit_meeting_pairs([&](Index i, Index j) {
+    if (degenerate[i] != 0 || degenerate[j] != 0) return;
+    if (triangles_intersect(points, surface.triangles[i], surface.triangles[j])) {
+      pairs.push_back({std::min(i, j), std::max(i, j)});
+    }
+  });
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace mgf::exact
