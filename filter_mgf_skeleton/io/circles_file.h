@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// circles.ply: the geodesic circles as closed polylines.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "filter_mgf_skeleton/io/skeleton_file.h"
+#include "vcg_ext/surface/geodesic_circles.h"
+
+namespace mgf::io {
+
+/// Writes each circle's points once, joined by edges to a closed curve. Vertices and edges carry
+/// `eccentricity` and `circle`, the number of the skeleton edge that the circle belongs to. A
+/// circle of one point has no edge. Throws `FileError`.
+inline void write_circles(const std::filesystem::path& path, const GeodesicCircles& circles) {
+  std::vector<Vec3> points;
+  std::vector<Index> circle_of_point;
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<Index> circle_of_edge;
+  for (Index c = 0; c < circles.polyline.size(); ++c) {
+    const Row<Vec3> curve = circles.polyline[c];
+    const std::size_t distinct = curve.size() > 1 ? curve.size() - 1 : curve.size();
+    const Index first = to_index(points.size());
+    for (std::size_t i = 0; i < distinct; ++i) {
+      points.push_back(curve[i]);
+      circle_of_point.push_back(c);
+      if (distinct == 1) break;
+      edges.push_back({to_index(first + i), to_index(first + (i + 1) % distinct)});
+      circle_of_edge.push_back(c);
+    }
+  }
+  GraphTables tables = graph_tables(points, edges);
+  const auto add_measures = [&](const std::vector<Index>& circle_of, Table& table) {
+    table.columns.push_back(real_column("eccentricity", [&](std::size_t row) {
+      return circles.eccentricity.at(circle_of.at(row));
+    }));
+    table.columns.push_back(index_column("circle", circle_of));
+  };
+  add_measures(circle_of_point, tables.nodes);
+  add_measures(circle_of_edge, tables.edges);
+  write_ply(path, "geodesic circles, one closed polyline per skeleton edge",
+            {{tables.nodes, std::nullopt}, {tables.edges, std::nullopt}});
+}
+
+}  // namespace mgf::io
