@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
-#include <utility>
 #include <vector>
 
 #include "filter_mgf_skeleton/io/skeleton_file.h"
@@ -34,16 +33,21 @@ inline void write_circles(const std::filesystem::path& path, const GeodesicCircl
     }
   }
   GraphTables tables = graph_tables(points, edges);
-  const auto add_measures = [&](const std::vector<Index>& circle_of, Table& table) {
-    table.columns.push_back(real_column("eccentricity", [&](std::size_t row) {
-      return circles.eccentricity.at(circle_of.at(row));
-    }));
+  const auto eccentricity_of = [&circles](const std::vector<Index>& circle_of) {
+    std::vector<double> values;
+    for (const Index c : circle_of) values.push_back(circles.eccentricity.at(c));
+    return values;
+  };
+  const std::vector<double> point_eccentricity = eccentricity_of(circle_of_point);
+  const std::vector<double> edge_eccentricity = eccentricity_of(circle_of_edge);
+  const auto add_columns = [](const std::vector<double>& eccentricity,
+                              const std::vector<Index>& circle_of, Table& table) {
+    table.columns.push_back(measure_column("eccentricity", eccentricity));
     table.columns.push_back(index_column("circle", circle_of));
   };
-  add_measures(circle_of_point, tables.nodes);
-  add_measures(circle_of_edge, tables.edges);
-  write_ply(path, "geodesic circles, one closed polyline per skeleton edge",
-            {{tables.nodes, std::nullopt}, {tables.edges, std::nullopt}});
+  add_columns(point_eccentricity, circle_of_point, tables.nodes);
+  add_columns(edge_eccentricity, circle_of_edge, tables.edges);
+  write_graph_ply(path, "geodesic circles, one closed polyline per skeleton edge", tables);
 }
 
 }  // namespace mgf::io

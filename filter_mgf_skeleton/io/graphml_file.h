@@ -39,9 +39,13 @@ inline std::string data(const Table& table, const std::string& domain, std::size
 
 }  // namespace graphml_detail
 
-/// Writes an undirected graph: nodes n0, n1, … and edges e0, e1, … with every column as a typed
-/// attribute; vertex1 and vertex2 become source and target. Throws `FileError`.
-inline void write_graphml(const std::filesystem::path& path, const GraphTables& tables) {
+/// Writes an undirected graph: nodes n0, n1, … and edges e0, e1, … with every column of the
+/// skeleton's tables as a typed attribute; vertex1 and vertex2 become source and target. Throws
+/// `FileError`.
+inline void write_graphml(const std::filesystem::path& path, const CurveSkeleton& skeleton,
+                          const BranchGraph& graph) {
+  const SkeletonLabels labels = labels_of(graph);
+  const GraphTables tables = skeleton_tables(skeleton, labels);
   using graphml_detail::data;
   using graphml_detail::key_declarations;
   constexpr std::size_t kEnds = 2;  // the columns vertex1 and vertex2

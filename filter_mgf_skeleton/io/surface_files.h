@@ -31,7 +31,7 @@ inline void write_segmentation(const std::filesystem::path& path, const Triangle
         return segmentation.tubular.at(f) != 0 ? kTubularColour : kFlatColour;
       },
       columns);
-  columns.push_back(real_column("eccentricity", segmentation.eccentricity));
+  columns.push_back(measure_column("eccentricity", segmentation.eccentricity));
   columns.push_back(real_column("confidence", segmentation.confidence));
   write_ply(path, "tubular (quality 1) and flat (quality 0) regions",
             {vertex_element(mesh.points), faces});

@@ -50,6 +50,15 @@ inline Column real_column(std::string name, const std::vector<double>& values) {
   return real_column(std::move(name), [&values](std::size_t row) { return values.at(row); });
 }
 
+/// A positive measure that degenerate geometry leaves without a finite value (the circumcircle of
+/// three collinear points): then the column holds 0.
+inline Column measure_column(std::string name, const std::vector<double>& values) {
+  return real_column(std::move(name), [&values](std::size_t row) {
+    const double value = values.at(row);
+    return std::isfinite(value) ? value : 0.0;
+  });
+}
+
 /// Index columns are integers; kNone becomes `kNothing`.
 inline Column index_column(std::string name, std::function<Index(std::size_t)> value) {
   return {std::move(name), NumberType::kInteger, [value = std::move(value)](std::size_t row) {

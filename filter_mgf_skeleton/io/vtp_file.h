@@ -52,10 +52,13 @@ inline std::string joined(const Table& table, std::size_t first, std::size_t cou
 
 /// Writes nodes as points and edges as lines, their columns as point and cell data. Throws
 /// `FileError`.
-inline void write_vtp(const std::filesystem::path& path, const GraphTables& tables) {
+inline void write_vtp(const std::filesystem::path& path, const CurveSkeleton& skeleton,
+                      const BranchGraph& graph) {
   using vtp_detail::attributes;
   using vtp_detail::data_array;
   using vtp_detail::joined;
+  const SkeletonLabels labels = labels_of(graph);
+  const GraphTables tables = skeleton_tables(skeleton, labels);
   const Table& nodes = tables.nodes;
   const Table& edges = tables.edges;
   constexpr std::size_t kCoordinates = 3;
