@@ -2,19 +2,128 @@
 // Tubular and flat regions of the surface (paper, section 5.6).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/input/refined_surface.h"
+#include "vcg_ext/skeleton/branch_chains.h"
+#include "vcg_ext/skeleton/branches.h"
+#include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/skeleton/eccentricity_filter.h"
+#include "vcg_ext/skeleton/weighted_median.h"
+#include "vcg_ext/surface/face_flood.h"
+#include "vcg_ext/surface/geodesic_circles.h"
 
 namespace mgf {
 
 /// Per face of the input surface.
 struct Segmentation {
   std::vector<char> tubular;         ///< 1 tubular, 0 flat; every face has a label
-  std::vector<double> eccentricity;  ///< that of the nearest geodesic circles, continuous
-  std::vector<double> confidence;    ///< in [0, 1]: share of agreeing evidence near the face
+  std::vector<double> eccentricity;  ///< of the nearest geodesic circles, continuous; 0 if unknown
+  std::vector<double> confidence;    ///< in [0, 1]: the share of the nearest circles, unfiltered,
+                                     ///< that agree with the label, falling with their distance
   double tubular_area_share = 0.0;   ///< in [0, 1]
-  Index unlabelled_faces = 0;        ///< 0 unless the skeleton has no edge
+  Index unlabelled_faces = 0;        ///< 0 unless a component's skeleton has no edge
 };
+
+namespace segmentation {
+
+/// What the circles that run through one face say about it.
+struct Evidence {
+  double eccentricity = 0.0;  ///< median of the filtered ones, the lower of two
+  double agreement = 0.0;     ///< share of the unfiltered ones on the same side of the threshold
+  double rho = 0.0;           ///< median local radius, MGF / pi
+  Index face = 0;
+};
+
+inline Evidence weigh_evidence(Index face, const Row<Index>& circles, const CurveSkeleton& skeleton,
+                               const std::vector<double>& filtered, double threshold) {
+  const std::vector<double> once(circles.size(), 1.0);
+  std::vector<double> eccentricities;
+  std::vector<double> radii;
+  for (const Index circle : circles) {
+    eccentricities.push_back(filtered[circle]);
+    radii.push_back(skeleton.mgf[circle] / M_PI);
+  }
+  Evidence evidence;
+  evidence.face = face;
+  evidence.eccentricity = weighted_median(eccentricities, once);
+  evidence.rho = weighted_median(radii, once);
+  const bool tubular = evidence.eccentricity < threshold;
+  double witnesses = 0.0;
+  for (const Index circle : circles) {
+    const double own = skeleton.eccentricity[circle];
+    if (!eccentricity_filter::usable(own)) continue;
+    witnesses += 1.0;
+    if ((own < threshold) == tubular) evidence.agreement += 1.0;
+  }
+  evidence.agreement = witnesses > 0.0 ? evidence.agreement / witnesses : 0.0;
+  return evidence;
+}
+
+/// The evidence of all faces that a usable circle runs through, in an order by what it says, so
+/// that a position in it serves as a label whose ties don't depend on the numbers of the faces.
+inline std::vector<Evidence> collect_evidence(const Rows<Index>& circles_on_face,
+                                              const CurveSkeleton& skeleton,
+                                              const std::vector<double>& filtered,
+                                              double threshold) {
+  std::vector<Evidence> evidence;
+  for (Index f = 0; f < circles_on_face.size(); ++f) {
+    const Row<Index> circles = circles_on_face[f];
+    if (circles.empty() || !eccentricity_filter::usable(filtered[circles.front()])) continue;
+    evidence.push_back(weigh_evidence(f, circles, skeleton, filtered, threshold));
+  }
+  std::sort(evidence.begin(), evidence.end(), [](const Evidence& a, const Evidence& b) {
+    return std::tie(a.eccentricity, a.agreement, a.rho, a.face) <
+           std::tie(b.eccentricity, b.agreement, b.rho, b.face);
+  });
+  return evidence;
+}
+
+}  // namespace segmentation
+
+/// Labels every face of `input` tubular or flat: a face that geodesic circles run through by the
+/// majority of them (half and half: tubular), a circle being tubular if its eccentricity, filtered
+/// along its branch, is below `eccentricity_threshold`; any other face as the nearest such face
+/// along the surface. Because the majority is the median, the label is `eccentricity` < threshold.
+/// `refined` refines `input`, and the circles run on it. Doesn't depend on the order of the faces.
+/// Cost: O(n log n) in the faces and circle crossings.
+inline Segmentation segment_surface(const TriangleSurface& input, const RefinedSurface& refined,
+                                    const CurveSkeleton& skeleton, const BranchGraph& graph,
+                                    const GeodesicCircles& circles, double eccentricity_threshold) {
+  const std::size_t n = input.triangles.size();
+  const FaceGraph faces = build_face_graph(input);
+  const Rows<Index> circles_on_face = items_on_input_faces(circles.faces, refined.parent_face, n);
+  const std::vector<segmentation::Evidence> evidence = segmentation::collect_evidence(
+      circles_on_face, skeleton, filtered_eccentricity(skeleton, graph), eccentricity_threshold);
+  std::vector<Index> seeds(n, kNone);
+  for (Index i = 0; i < evidence.size(); ++i) seeds[evidence[i].face] = i;
+  const FaceFlood flood = flood_faces(faces, seeds);
+
+  Segmentation result;
+  result.tubular.assign(n, 0);
+  result.eccentricity.assign(n, 0.0);
+  result.confidence.assign(n, 0.0);
+  double tubular_area = 0.0;
+  for (Index f = 0; f < n; ++f) {
+    if (flood.label[f] == kNone) {
+      ++result.unlabelled_faces;
+      continue;
+    }
+    const segmentation::Evidence& nearest = evidence[flood.label[f]];
+    const double reach = nearest.rho + flood.distance[f];
+    result.eccentricity[f] = nearest.eccentricity;
+    result.confidence[f] = reach > 0.0 ? nearest.agreement * nearest.rho / reach : 0.0;
+    result.tubular[f] = nearest.eccentricity < eccentricity_threshold ? 1 : 0;
+    if (result.tubular[f]) tubular_area += faces.area[f];
+  }
+  const double area = std::accumulate(faces.area.begin(), faces.area.end(), 0.0);
+  result.tubular_area_share = area > 0.0 ? tubular_area / area : 0.0;
+  return result;
+}
 
 }  // namespace mgf
