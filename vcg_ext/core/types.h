@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>  // cross products
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,9 @@ using Triangle = std::array<Index, 3>;
 using Tetrahedron = std::array<Index, 4>;
 
 /// A size as an Index. Requires `size` to fit, which the input diagnosis has made sure of.
-inline Index to_index(std::size_t size) { return static_cast<Index>(size); }
+inline Index to_index(std::size_t size) {
+  return static_cast<Index>(size);
+}
 
 /// A triangle mesh as two arrays; what it must satisfy is said where it is taken.
 struct TriangleSurface {
