@@ -3,6 +3,7 @@
 // tips kept, and the shape never left.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -2,6 +2,7 @@
 // What the surface says about each branch: its share of the area, and whether it is tubular.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "vcg_ext/core/types.h"

@@ -2,6 +2,7 @@
 // Labels spread over the faces of a surface, each face taking that of the nearest labelled one.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <functional>
