@@ -10,6 +10,7 @@
 
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/geodesics/compute_pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/medial/medial_complex.h"
 
@@ -128,17 +129,16 @@ inline MedialGeodesicField evaluate_medial_geodesic_function(const TriangleSurfa
     links.push_back({field.table.find(dual[0], dual[1]), field.table.find(dual[1], dual[2]),
                      field.table.find(dual[0], dual[2])});
   }
-  field.geodesics =
-      compute_pair_geodesics(surface, field.table.pairs(), links, options, progress);
+  field.geodesics = compute_pair_geodesics(surface, field.table.pairs(), links, options, progress);
 
   field.mgf.reserve(complex.facet_count());
   field.gradient.reserve(complex.facet_count());
   for (const VertexPair& contacts : complex.facet_contacts) {
     const Index pair = field.table.find(contacts.a, contacts.b);
     field.mgf.push_back(field.geodesics.length[pair]);
-    field.gradient.push_back(detail::mgf_gradient(
-        surface.points[contacts.b] - surface.points[contacts.a], field.geodesics.tangent_a[pair],
-        field.geodesics.tangent_b[pair]));
+    field.gradient.push_back(
+        detail::mgf_gradient(surface.points[contacts.b] - surface.points[contacts.a],
+                             field.geodesics.tangent_a[pair], field.geodesics.tangent_b[pair]));
   }
   return field;
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solids of unit cubes as tetrahedra, for tests of the medial complex and its erosion without the
+// stages before them. Each cube is cut into six tetrahedra along its main diagonal.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <random>
+#include <vector>
+
+#include "vcg_ext/medial/interior_tetrahedra.h"
+#include "vcg_ext/medial/medial_complex.h"
+
+namespace mgf::test {
+
+using Cell = std::array<int, 3>;
+
+/// Fills in the adjacency of tetrahedra from their corners.
+inline InteriorTetrahedra from_tetrahedra(std::vector<Vec3> points,
+                                          std::vector<Tetrahedron> tetrahedra) {
+  InteriorTetrahedra interior;
+  interior.points = std::move(points);
+  interior.input_points = to_index(interior.points.size());
+  interior.tetrahedra = std::move(tetrahedra);
+  interior.neighbours.assign(interior.tetrahedra.size(), {kNone, kNone, kNone, kNone});
+  std::map<Triangle, std::pair<Index, std::size_t>> open;
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Tetrahedron& corners = interior.tetrahedra[t];
+      Triangle face{corners[(i + 1) % 4], corners[(i + 2) % 4], corners[(i + 3) % 4]};
+      std::sort(face.begin(), face.end());
+      const auto found = open.find(face);
+      if (found == open.end()) {
+        open[face] = {t, i};
+        continue;
+      }
+      const auto [u, j] = found->second;
+      interior.neighbours[t][i] = u;
+      interior.neighbours[u][j] = t;
+    }
+  }
+  return interior;
+}
+
+/// The union of unit cubes with the given lowest corners, its points shaken by up to `shake` so
+/// that circumcentres differ. Keep `shake` below 0.1 or tetrahedra turn over.
+inline InteriorTetrahedra solid_of_cubes(const std::vector<Cell>& cubes, double shake = 0.05) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> offset(-shake, shake);
+  std::map<Cell, Index> number;
+  std::vector<Vec3> points;
+  std::vector<Tetrahedron> tetrahedra;
+  const auto corner = [&](const Cell& at) {
+    const auto [entry, is_new] = number.try_emplace(at, to_index(points.size()));
+    if (is_new) {
+      points.emplace_back(at[0] + offset(random), at[1] + offset(random), at[2] + offset(random));
+    }
+    return entry->second;
+  };
+  constexpr std::array<std::array<std::size_t, 3>, 6> kAxes = {
+      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  for (const Cell& cube : cubes) {
+    for (std::size_t path = 0; path < kAxes.size(); ++path) {
+      Cell at = cube;
+      Tetrahedron corners{};
+      corners[0] = corner(at);
+      for (std::size_t step = 0; step < 3; ++step) {
+        ++at[kAxes[path][step]];
+        corners[step + 1] = corner(at);
+      }
+      if (path >= 3) std::swap(corners[2], corners[3]);  // odd orders of the axes
+      tetrahedra.push_back(corners);
+    }
+  }
+  return from_tetrahedra(std::move(points), std::move(tetrahedra));
+}
+
+/// A flat square ring of cubes, n a side: one loop.
+inline std::vector<Cell> ring_of_cubes(int n) {
+  std::vector<Cell> cubes;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      if (i == 0 || j == 0 || i == n - 1 || j == n - 1) cubes.push_back({i, j, 0});
+    }
+  }
+  return cubes;
+}
+
+/// A plate of one layer.
+inline std::vector<Cell> plate_of_cubes(int width, int height) {
+  std::vector<Cell> cubes;
+  for (int i = 0; i < width; ++i) {
+    for (int j = 0; j < height; ++j) cubes.push_back({i, j, 0});
+  }
+  return cubes;
+}
+
+/// The six walls of a box, n a side: a closed surface, thickened.
+inline std::vector<Cell> hollow_box_of_cubes(int n) {
+  std::vector<Cell> cubes;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < n; ++k) {
+        const bool wall = i == 0 || j == 0 || k == 0 || i == n - 1 || j == n - 1 || k == n - 1;
+        if (wall) cubes.push_back({i, j, k});
+      }
+    }
+  }
+  return cubes;
+}
+
+}  // namespace mgf::test
