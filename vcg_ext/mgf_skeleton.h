@@ -21,6 +21,7 @@
 #include "vcg_ext/input/point_insertion.h"
 #include "vcg_ext/input/refined_surface.h"
 #include "vcg_ext/input/sampling.h"
+#include "vcg_ext/input/working_copy.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/medial_complex.h"
 #include "vcg_ext/medial/medial_geodesic_function.h"
@@ -46,9 +47,9 @@ struct MedialAxisOptions {
 
 /// The medial axis with everything it stands on.
 struct MedialAxis {
-  Diagnosis diagnosis;    ///< of the user's mesh
-  WorkingCopy working;    ///< that mesh repaired, with the way back to its numbering
-  RefinedSurface surface; ///< `working` with all added points on it: what geodesics run on
+  Diagnosis diagnosis;     ///< of the user's mesh
+  WorkingCopy working;     ///< that mesh repaired, with the way back to its numbering
+  RefinedSurface surface;  ///< `working` with all added points on it: what geodesics run on
   InteriorTetrahedra interior;
   MedialComplex complex;
   Index samples_added = 0;  ///< vertices of `surface` that are none of `working`
@@ -95,9 +96,9 @@ inline void warn_of_topology(const TopologyCertificate& certificate, Warnings& w
                               ", the surface's genus asks for " + to_text(certificate.expected) +
                               ".";
   if (certificate.topology == TopologyVerdict::kFailed) {
-    warnings.push_back({"topology_failed",
-                        "The skeleton does not have the topology of the surface. " + numbers +
-                            " Remove self-intersections or remesh."});
+    warnings.push_back(
+        {"topology_failed", "The skeleton does not have the topology of the surface. " + numbers +
+                                " Remove self-intersections or remesh."});
   } else if (certificate.topology == TopologyVerdict::kCounted) {
     warnings.push_back(
         {"topology_counted", "The topology agrees by count but is not proven. " + numbers});
@@ -145,8 +146,7 @@ inline MedialAxis compute_medial_axis(const TriangleSurface& input,
       refine_sampling(axis.working.surface, options.sampling, progress.slice(0.15, 0.3));
   clock.finish("sampling", axis.times);
 
-  axis.interior =
-      recover_interior(sampled.surface, options.recovery, progress.slice(0.3, 0.9));
+  axis.interior = recover_interior(sampled.surface, options.recovery, progress.slice(0.3, 0.9));
   clock.finish("topology", axis.times);
 
   progress.report(0.9, "Medial complex");
@@ -169,8 +169,8 @@ inline MedialGeodesicFunction compute_medial_geodesic_function(const MedialAxis&
                                                                const Progress& progress = {}) {
   MedialGeodesicFunction result;
   detail::StageClock clock;
-  result.field = evaluate_medial_geodesic_function(axis.surface.surface, axis.complex, options,
-                                                   progress);
+  result.field =
+      evaluate_medial_geodesic_function(axis.surface.surface, axis.complex, options, progress);
   clock.finish("medial_geodesic_function", result.times);
   return result;
 }
@@ -185,10 +185,10 @@ inline CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
   progress.report(0.0, "Erosion");
   const SurfaceTree tree(axis.working.surface);
   const bool self_intersecting = has_finding(axis.diagnosis, "self_intersections");
-  result.hierarchy = build_skeleton_hierarchy(
-      axis.interior, axis.complex, field, axis.surface.surface.points,
-      bounding_box_diagonal(axis.interior.points), options,
-      detail::inside_test(tree, self_intersecting));
+  result.hierarchy =
+      build_skeleton_hierarchy(axis.interior, axis.complex, field, axis.surface.surface.points,
+                               bounding_box_diagonal(axis.interior.points), options,
+                               detail::inside_test(tree, self_intersecting));
   clock.finish("skeleton", result.times);
 
   const SkeletonHierarchy& hierarchy = result.hierarchy;

@@ -13,7 +13,7 @@ namespace mgf {
 /// A partition of 0 .. size-1, at first into singletons. Nearly constant time a call.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
+  explicit DisjointSets(std::size_t size) : parent_(size), count_(size) {
     for (Index i = 0; i < size; ++i) parent_[i] = i;
   }
 
@@ -29,11 +29,16 @@ class DisjointSets {
     j = find(j);
     if (i == j) return false;
     parent_[std::max(i, j)] = std::min(i, j);
+    --count_;
     return true;
   }
 
+  /// The number of sets.
+  std::size_t count() const { return count_; }
+
  private:
   std::vector<Index> parent_;
+  std::size_t count_;
 };
 
 }  // namespace mgf

@@ -19,8 +19,8 @@ namespace mgf {
 /// edge all of whose tetrahedra are inside. Cells are never derived from coordinates.
 struct MedialComplex {
   // Voronoi vertices, numbered as the tetrahedra.
-  std::vector<Vec3> position;   ///< circumcentre, or a point nearby inside the shape (see placement)
-  std::vector<double> radius;   ///< distance from `position` to the nearest of its four contacts
+  std::vector<Vec3> position;  ///< circumcentre, or a point nearby inside the shape (see placement)
+  std::vector<double> radius;  ///< distance from `position` to the nearest of its four contacts
   std::vector<char> displaced;  ///< 1 where the circumcentre lies outside and was replaced
   Rows<Index> vertex_edges;     ///< incident Voronoi edges, ascending
 
