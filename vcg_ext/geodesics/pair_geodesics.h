@@ -21,10 +21,10 @@ struct VertexPair {
 /// What is known of a computed geodesic. All words are meant in double arithmetic, up to 1e-10 of
 /// the mean edge length.
 enum class Certification : std::uint8_t {
-  kNone,         ///< a locally shortest path, its length an upper bound
-  kPractical,    ///< no shorter path was found, but the search merged windows without carrying
-                 ///< every error
-  kProven,       ///< no shorter path exists: the search that pruned by this bound was exhaustive
+  kUnproven,   ///< a locally shortest path, its length an upper bound
+  kPractical,  ///< no shorter path was found, but the search merged windows without carrying
+               ///< every error
+  kProven,     ///< no shorter path exists: the search that pruned by this bound was exhaustive
 };
 
 /// How much certification is wanted, and with how many threads (0: all).
@@ -35,9 +35,9 @@ struct GeodesicOptions {
 
 /// The answer, one entry per pair.
 struct PairGeodesics {
-  std::vector<double> length;              ///< of the shortest path from a to b
-  std::vector<Vec3> tangent_a;             ///< unit, leaving a along the path; zero if length is 0
-  std::vector<Vec3> tangent_b;             ///< unit, leaving b along the path
+  std::vector<double> length;   ///< of the shortest path from a to b
+  std::vector<Vec3> tangent_a;  ///< unit, leaving a along the path; zero if length is 0
+  std::vector<Vec3> tangent_b;  ///< unit, leaving b along the path
   std::vector<Certification> certification;
   Rows<Index> corridor;  ///< the directed edges (3 · triangle + i, the edge from corner i to corner
                          ///< i+1) that the path crosses or runs along, from a to b

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pair geodesics against closed forms and against themselves.
+#include <gtest/gtest.h>
+
+#include "geodesics_fixtures.h"
+#include "vcg_ext/geodesics/compute_pair_geodesics.h"
+
+namespace mgf::test {
+namespace {
+
+PairGeodesics solve(const TriangleSurface& surface, const std::vector<VertexPair>& pairs,
+                    unsigned threads = 1) {
+  return compute_pair_geodesics(surface, pairs, {}, {Certification::kProven, threads});
+}
+
+Index vertex_at(const TriangleSurface& surface, const Vec3& p) {
+  for (Index v = 0; v < surface.points.size(); ++v) {
+    if ((surface.points[v] - p).norm() < 1e-9) return v;
+  }
+  return kNone;
+}
+
+double distance(const TriangleSurface& surface, const Vec3& p, const Vec3& q) {
+  const Index a = vertex_at(surface, p);
+  const Index b = vertex_at(surface, q);
+  const PairGeodesics result = solve(surface, {{std::min(a, b), std::max(a, b)}});
+  EXPECT_EQ(result.certification[0], Certification::kProven);
+  return result.length[0];
+}
+
+TEST(GeodesicsExactness, OppositeCornersOfBoxesUnfold) {
+  // The shortest of the three unfoldings over two faces.
+  for (const Vec3& size : {Vec3(1, 1, 1), Vec3(3, 2, 1), Vec3(5, 1, 0.5), Vec3(1, 1, 8)}) {
+    const double a = size.x(), b = size.y(), c = size.z();
+    const double expected =
+        std::min({std::hypot(a + b, c), std::hypot(a + c, b), std::hypot(b + c, a)});
+    for (const int cells : {1, 2, 3, 7}) {
+      const TriangleSurface box = gridded_box(size, cells, cells + 1, cells);
+      EXPECT_NEAR(distance(box, Vec3::Zero(), size), expected, 1e-12 * expected) << cells;
+    }
+  }
+}
+
+TEST(GeodesicsExactness, TheFarthestPointFromABoxCornerLiesInsideTheFace) {
+  // Kotani's box 1 x 1 x 2: the point a quarter in from the opposite corner is farther away.
+  const TriangleSurface box = gridded_box(Vec3(1, 1, 2), 4, 4, 8);
+  EXPECT_NEAR(distance(box, Vec3::Zero(), Vec3(1, 1, 2)), std::sqrt(8.0), 1e-12);
+  EXPECT_NEAR(distance(box, Vec3::Zero(), Vec3(0.75, 0.75, 2)), std::sqrt(8.125), 1e-12);
+}
+
+TEST(GeodesicsExactness, PathsAcrossASubdividedPlateAreStraight) {
+  const TriangleSurface plate = gridded_box(Vec3(6, 4, 0.5), 12, 8, 1);
+  std::vector<VertexPair> pairs;
+  for (const VertexPair& pair : random_pairs(plate, 4000, 3)) {
+    if (plate.points[pair.a].z() == 0.0 && plate.points[pair.b].z() == 0.0) pairs.push_back(pair);
+  }
+  const PairGeodesics result = solve(plate, pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Vec3 straight = plate.points[pairs[i].b] - plate.points[pairs[i].a];
+    EXPECT_NEAR(result.length[i], straight.norm(), 1e-12 * straight.norm());
+    EXPECT_LT((result.tangent_a[i] - straight.normalized()).norm(), 1e-7);
+    EXPECT_LT((result.tangent_b[i] + straight.normalized()).norm(), 1e-7);
+  }
+}
+
+TEST(GeodesicsExactness, ThePrismUnrolls) {
+  const int n = 48;
+  const double radius = 1.0, height = 6.0;
+  const TriangleSurface tube = prism(radius, height, n, 12);
+  const double side = 2.0 * radius * std::sin(kPi / n);
+  for (const int turn : {1, 5, 12, 20, 24}) {
+    for (const int rise : {0, 1, 4}) {
+      const double angle = 2.0 * kPi * turn / n;
+      const Vec3 from(radius, 0, 0.5 * height);
+      const Vec3 to(radius * std::cos(angle), radius * std::sin(angle),
+                    (0.5 + rise / 12.0) * height);
+      const double expected = std::hypot(turn * side, rise / 12.0 * height);
+      EXPECT_NEAR(distance(tube, from, to), expected, 1e-12 * expected) << turn << " " << rise;
+    }
+  }
+}
+
+TEST(GeodesicsExactness, SphereDistancesConverge) {
+  double error = 1.0;
+  for (const int levels : {3, 4, 5}) {
+    const TriangleSurface sphere = bumpy_sphere(levels, 0.0, 0);
+    const double found = distance(sphere, Vec3(1, 0, 0), Vec3(0, 1, 0));
+    EXPECT_LT(std::abs(found - kPi / 2), 0.3 * error);
+    error = std::abs(found - kPi / 2);
+  }
+  EXPECT_LT(error, 1e-3);
+}
+
+TEST(GeodesicsExactness, TetrahedronOppositeEdges) {
+  // Unit regular tetrahedron split at midpoints: opposite midpoints are 1 apart over the surface.
+  TriangleSurface simplex;
+  simplex.points = {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)};
+  for (Vec3& p : simplex.points) p /= std::sqrt(8.0);
+  simplex.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  const TriangleSurface fine = midpoint_subdivided(midpoint_subdivided(simplex));
+  const Vec3 p = (simplex.points[0] + simplex.points[1]) / 2.0;
+  const Vec3 q = (simplex.points[2] + simplex.points[3]) / 2.0;
+  EXPECT_NEAR(distance(fine, p, q), 1.0, 1e-12);
+}
+
+TEST(GeodesicsExactness, PathsBendAtASaddle) {
+  // An L-shaped slab: the straight way between its arms leads over the notch, so the path bends at
+  // the notch's corner, where the faces span 270 + 90 + 90 degrees.
+  const Vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  SurfaceBuilder builder;
+  for (const Vec3& cell : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}) {
+    builder.grid(cell, y, x, 2, 2);
+    builder.grid(cell + z, x, y, 2, 2);
+  }
+  builder.grid(Vec3::Zero(), x * 2, z, 4, 2);
+  builder.grid(Vec3::Zero(), z, y * 2, 2, 4);
+  builder.grid(x * 2, y, z, 2, 2);
+  builder.grid(y * 2, z, x, 2, 2);
+  builder.grid(x + y, z, x, 2, 2);
+  builder.grid(x + y, y, z, 2, 2);
+  const double expected = 2.0 * std::hypot(1.0, 0.5);
+  EXPECT_NEAR(distance(builder.surface(), Vec3(2, 0.5, 1), Vec3(0.5, 2, 1)), expected, 1e-12);
+}
+
+TEST(GeodesicsExactness, PruningChangesNothing) {
+  const TriangleSurface rough = bumpy_sphere(3, 0.25, 5);
+  const HalfedgeMesh mesh = make_halfedge_mesh(rough);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Index start : {0U, 17U, 100U, 200U}) {
+    std::vector<PropagationTarget> targets;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (v != start) targets.push_back({v, infinity});
+    }
+    WindowPropagation plain(mesh, {true, false, false});
+    ASSERT_TRUE(plain.run(start, targets));
+    for (const PropagationPruning& pruning :
+         {PropagationPruning{true, true, false}, PropagationPruning{true, true, true},
+          PropagationPruning{true, false, true}}) {
+      WindowPropagation pruned(mesh, pruning);
+      ASSERT_TRUE(pruned.run(start, targets));
+      for (std::size_t i = 0; i < targets.size(); ++i) {
+        EXPECT_NEAR(pruned.distance(i), plain.distance(i), 1e-12 * plain.distance(i));
+      }
+    }
+  }
+}
+
+TEST(GeodesicsExactness, VertexFiltersChangeNothing) {
+  // Without the filters windows multiply, so this surface is tiny.
+  const TriangleSurface rough = bumpy_sphere(2, 0.25, 9);
+  const HalfedgeMesh mesh = make_halfedge_mesh(rough);
+  for (Index start = 0; start < mesh.vertex_count(); start += 7) {
+    std::vector<PropagationTarget> targets;
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if (v != start) targets.push_back({v, 4.0});
+    }
+    WindowPropagation plain(mesh, {false, true, true});
+    WindowPropagation filtered(mesh, {});
+    ASSERT_TRUE(plain.run(start, targets));
+    ASSERT_TRUE(filtered.run(start, targets));
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      EXPECT_NEAR(filtered.distance(i), plain.distance(i), 1e-12 * plain.distance(i));
+    }
+  }
+}
+
+TEST(GeodesicsExactness, ThreadsChangeNoBit) {
+  const TriangleSurface rough = bumpy_sphere(4, 0.1, 2);
+  const std::vector<VertexPair> pairs = near_pairs(rough, 6.0, 2000, 4);
+  const PairGeodesics one = solve(rough, pairs, 1);
+  const PairGeodesics two = solve(rough, pairs, 2);
+  EXPECT_EQ(one.length, two.length);
+  EXPECT_EQ(one.tangent_a, two.tangent_a);
+  EXPECT_EQ(one.tangent_b, two.tangent_b);
+  EXPECT_EQ(one.corridor.items, two.corridor.items);
+  EXPECT_EQ(one.certification, two.certification);
+}
+
+TEST(GeodesicsExactness, TangentsAreTheGradientOfTheDistance) {
+  // The tangent leaving a is minus the derivative of the length as a moves on the surface: with b
+  // fixed, compare neighbours c of a on the straight line through a in a smooth region.
+  const TriangleSurface box = gridded_box(Vec3(3, 2, 1), 30, 20, 10);
+  const double step = 0.1;
+  const Index from = vertex_at(box, Vec3(1.5, 1.0, 0.0));
+  const Index ahead = vertex_at(box, Vec3(1.5 + step, 1.0, 0.0));
+  const Index behind = vertex_at(box, Vec3(1.5 - step, 1.0, 0.0));
+  const Index to = vertex_at(box, Vec3(3.0, 1.2, 0.7));
+  std::vector<VertexPair> pairs;
+  for (const Index v : {from, ahead, behind}) pairs.push_back({std::min(v, to), std::max(v, to)});
+  const PairGeodesics result = solve(box, pairs);
+  const double slope = (result.length[1] - result.length[2]) / (2.0 * step);
+  const Vec3& tangent = pairs[0].a == from ? result.tangent_a[0] : result.tangent_b[0];
+  EXPECT_NEAR(-tangent.x(), slope, 1e-3);
+  EXPECT_NEAR(tangent.norm(), 1.0, 1e-12);
+}
+
+TEST(GeodesicsExactness, ShellsApartAreInfinitelyFar) {
+  TriangleSurface two = gridded_box(Vec3(1, 1, 1), 1, 1, 1);
+  const Index offset = to_index(two.points.size());
+  const TriangleSurface other = two;
+  for (const Vec3& p : other.points) two.points.emplace_back(p + Vec3(5, 0, 0));
+  for (const Triangle& t : other.triangles) {
+    two.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  const PairGeodesics result = solve(two, {{0, 1}, {0, offset}});
+  EXPECT_TRUE(std::isfinite(result.length[0]));
+  EXPECT_TRUE(std::isinf(result.length[1]));
+  EXPECT_EQ(result.certification[1], Certification::kUnproven);
+}
+
+TEST(GeodesicsExactness, OpenSurfacesAreRefused) {
+  TriangleSurface open = gridded_box(Vec3(1, 1, 1), 1, 1, 1);
+  open.triangles.pop_back();
+  EXPECT_THROW(solve(open, {{0, 1}}), InputError);
+}
+
+TEST(GeodesicsExactness, NeedlesKeepDistances) {
+  // A cylinder whose facets are a thousand times longer than wide.
+  const int n = 600;
+  const TriangleSurface tube = prism(1.0, 10.0, n, 1);
+  const double side = 2.0 * std::sin(kPi / n);
+  const double expected = std::hypot(10.0, side * n / 4);
+  EXPECT_NEAR(distance(tube, Vec3(1, 0, 0), Vec3(0, 1, 10)), expected, 1e-10);
+}
+
+}  // namespace
+}  // namespace mgf::test

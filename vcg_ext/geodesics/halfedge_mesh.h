@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface as geodesics see it: directed edges, lengths, angles, and each triangle laid flat.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/errors.h"
+#include "vcg_ext/core/types.h"
+
+namespace mgf {
+
+/// A point or vector in the plane of an unfolding.
+struct Vec2 {
+  double x = 0.0;
+  double y = 0.0;
+};
+inline Vec2 operator-(Vec2 p, Vec2 q) {
+  return {p.x - q.x, p.y - q.y};
+}
+inline double cross(Vec2 p, Vec2 q) {
+  return p.x * q.y - p.y * q.x;
+}
+inline double dot(Vec2 p, Vec2 q) {
+  return p.x * q.x + p.y * q.y;
+}
+inline double norm(Vec2 p) {
+  return std::sqrt(dot(p, p));
+}
+
+inline constexpr double kPi = 3.14159265358979323846;
+
+/// Directed edge 3t + i runs from corner i to corner i + 1 of triangle t. Its frame has the tail at
+/// the origin and the head at (length, 0); the triangle lies above, with its apex at `apex`.
+struct Halfedge {
+  double length = 0.0;
+  Vec2 apex;
+  Index opposite = kNone;
+  Index tail = kNone;
+};
+
+inline Index triangle_of(Index h) {
+  return h / 3;
+}
+inline Index next_in_triangle(Index h) {
+  return h % 3 == 2 ? h - 2 : h + 1;
+}
+inline Index previous_in_triangle(Index h) {
+  return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+/// The closed oriented surface. Distances depend on `halfedges` alone; `points` serve bounds and
+/// tangents.
+struct HalfedgeMesh {
+  std::vector<Vec3> points;
+  std::vector<Halfedge> halfedges;
+  std::vector<double> direction;    ///< one per halfedge: its angle about the tail, anticlockwise
+                                    ///< from the tail's `outgoing`, on the surface
+  std::vector<double> total_angle;  ///< one per vertex
+  std::vector<Index> outgoing;      ///< one per vertex: a halfedge that leaves it, or kNone
+  double mean_edge = 0.0;
+
+  std::size_t vertex_count() const { return points.size(); }
+  std::size_t triangle_count() const { return halfedges.size() / 3; }
+  Index tail(Index h) const { return halfedges[h].tail; }
+  Index head(Index h) const { return halfedges[next_in_triangle(h)].tail; }
+  Index apex(Index h) const { return halfedges[previous_in_triangle(h)].tail; }
+  Index opposite(Index h) const { return halfedges[h].opposite; }
+  /// The next halfedge out of the same tail, anticlockwise.
+  Index rotated(Index h) const { return halfedges[previous_in_triangle(h)].opposite; }
+  /// The previous halfedge out of the same tail, that is clockwise.
+  Index rotated_back(Index h) const { return next_in_triangle(halfedges[h].opposite); }
+  double corner_angle(Index h) const {
+    return std::atan2(halfedges[h].apex.y, halfedges[h].apex.x);
+  }
+  /// More than a full turn, so that a shortest path may pass through the vertex and bend.
+  bool is_saddle(Index v) const { return total_angle[v] > 2.0 * kPi + kFlatAngle; }
+
+  /// Angle defects below this are rounding.
+  static constexpr double kFlatAngle = 1e-11;
+};
+
+namespace detail {
+
+/// Pairs each directed edge with its opposite. Throws `InputError` where that is not one to one.
+inline void match_opposites(HalfedgeMesh& mesh) {
+  struct Side {
+    Index low, high, halfedge;
+    bool operator<(const Side& o) const {
+      return std::tie(low, high, halfedge) < std::tie(o.low, o.high, o.halfedge);
+    }
+  };
+  std::vector<Side> sides(mesh.halfedges.size());
+  for (Index h = 0; h < sides.size(); ++h) {
+    const std::pair<Index, Index> ends = std::minmax(mesh.tail(h), mesh.head(h));
+    sides[h] = {ends.first, ends.second, h};
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i < sides.size(); i += 2) {
+    const bool paired = i + 1 < sides.size() && sides[i].low == sides[i + 1].low &&
+                        sides[i].high == sides[i + 1].high &&
+                        mesh.tail(sides[i].halfedge) != mesh.tail(sides[i + 1].halfedge);
+    const bool tripled = i + 2 < sides.size() && sides[i].low == sides[i + 2].low &&
+                         sides[i].high == sides[i + 2].high;
+    if (!paired || tripled) {
+      throw InputError("surface_not_closed",
+                       "The edge between vertices " + std::to_string(sides[i].low) + " and " +
+                           std::to_string(sides[i].high) +
+                           " does not have exactly two faces with opposite directions.");
+    }
+    mesh.halfedges[sides[i].halfedge].opposite = sides[i + 1].halfedge;
+    mesh.halfedges[sides[i + 1].halfedge].opposite = sides[i].halfedge;
+  }
+}
+
+/// Lays each triangle flat above each of its sides. A triangle without height gets a hair of it, so
+/// that directions are defined; lengths change by less than their rounding.
+inline void lay_flat(HalfedgeMesh& mesh) {
+  constexpr double kLeastHeight = 1e-13;
+  double sum = 0.0;
+  for (Index h = 0; h < mesh.halfedges.size(); ++h) {
+    const Vec3 edge = mesh.points[mesh.head(h)] - mesh.points[mesh.tail(h)];
+    mesh.halfedges[h].length = edge.norm();
+    sum += edge.norm();
+  }
+  if (!mesh.halfedges.empty()) mesh.mean_edge = sum / static_cast<double>(mesh.halfedges.size());
+  for (Index h = 0; h < mesh.halfedges.size(); ++h) {
+    Halfedge& side = mesh.halfedges[h];
+    const Vec3& origin = mesh.points[side.tail];
+    const Vec3 edge = mesh.points[mesh.head(h)] - origin;
+    const Vec3 arm = mesh.points[mesh.apex(h)] - origin;
+    const double longest = std::max({edge.norm(), arm.norm(), (arm - edge).norm()});
+    if (!(side.length > 0.0)) side.length = kLeastHeight * std::max(longest, mesh.mean_edge);
+    side.apex.x = edge.dot(arm) / side.length;
+    side.apex.y = std::max(edge.cross(arm).norm() / side.length, kLeastHeight * longest);
+  }
+}
+
+/// Measures the angle of each halfedge about its tail. Throws where a vertex has more than one fan.
+inline void measure_angles(HalfedgeMesh& mesh) {
+  mesh.direction.assign(mesh.halfedges.size(), -1.0);
+  mesh.total_angle.assign(mesh.points.size(), 0.0);
+  mesh.outgoing.assign(mesh.points.size(), kNone);
+  for (Index h = 0; h < mesh.halfedges.size(); ++h) {
+    const Index v = mesh.tail(h);
+    if (mesh.direction[h] >= 0.0) continue;
+    if (mesh.outgoing[v] != kNone) {
+      throw InputError("vertex_not_manifold",
+                       "The faces at vertex " + std::to_string(v) + " form more than one fan.");
+    }
+    mesh.outgoing[v] = h;
+    double angle = 0.0;
+    Index turn = h;
+    do {
+      mesh.direction[turn] = angle;
+      angle += mesh.corner_angle(turn);
+      turn = mesh.rotated(turn);
+    } while (turn != h);
+    mesh.total_angle[v] = angle;
+  }
+}
+
+}  // namespace detail
+
+/// The halfedges of `surface`, which must be closed, oriented, edge- and vertex-manifold (several
+/// shells are fine, and so are points without a face). Throws `InputError` where it is not. O(n log
+/// n).
+inline HalfedgeMesh make_halfedge_mesh(const TriangleSurface& surface) {
+  HalfedgeMesh mesh;
+  mesh.points = surface.points;
+  mesh.halfedges.resize(3 * surface.triangles.size());
+  for (Index t = 0; t < surface.triangles.size(); ++t) {
+    for (Index i = 0; i < 3; ++i) mesh.halfedges[3 * t + i].tail = surface.triangles[t][i];
+  }
+  detail::match_opposites(mesh);
+  detail::lay_flat(mesh);
+  detail::measure_angles(mesh);
+  return mesh;
+}
+
+}  // namespace mgf
