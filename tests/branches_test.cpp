@@ -267,14 +267,6 @@ TEST(EccentricityFilter, RemovesAnIslandButKeepsAStep) {
   }
 }
 
-TEST(EccentricityFilter, GivesDegenerateEdgesTheirNeighboursValue) {
-  CurveSkeleton skeleton = line_skeleton(4.0, 4, 0.01);  // a window of a single edge
-  skeleton.eccentricity = {1.5, std::numeric_limits<double>::quiet_NaN(), 0.0,
-                           std::numeric_limits<double>::infinity()};
-  const std::vector<double> filtered = filtered_eccentricity(skeleton, build_branches(skeleton));
-  for (const double value : filtered) EXPECT_EQ(value, 1.5);
-}
-
 TEST(EccentricityFilter, GoesRoundALoopAndCountsEachEdgeOnce) {
   CurveSkeleton skeleton = ring_skeleton(1.0, 5, 100.0);  // the window is longer than the loop
   skeleton.eccentricity = {1.0, 2.0, 3.0, 4.0, 5.0};

@@ -10,32 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/skeleton/graph_edits.h"
 
 namespace mgf {
 
 /// Length of skeleton edge `e`, mesh units.
 inline double skeleton_edge_length(const CurveSkeleton& skeleton, Index e) {
   return (skeleton.position[skeleton.edge[e][0]] - skeleton.position[skeleton.edge[e][1]]).norm();
-}
-
-/// The end of skeleton edge `e` that isn't `node`.
-inline Index opposite_node(const CurveSkeleton& skeleton, Index e, Index node) {
-  const std::array<Index, 2>& ends = skeleton.edge[e];
-  return ends[0] == node ? ends[1] : ends[0];
-}
-
-/// One row per node: its edges, ascending.
-inline Rows<Index> incident_edges(const CurveSkeleton& skeleton) {
-  std::vector<Index> end_node;
-  end_node.reserve(2 * skeleton.edge_count());
-  for (const std::array<Index, 2>& ends : skeleton.edge) {
-    end_node.insert(end_node.end(), ends.begin(), ends.end());
-  }
-  Rows<Index> rows = group_by_key(end_node, skeleton.node_count());
-  for (Index& item : rows.items) item /= 2;
-  return rows;
 }
 
 namespace branching {
@@ -50,26 +34,6 @@ struct Chain {
 struct Components {
   std::vector<Index> of_node;
   Index count = 0;
-};
-
-/// Sets of positions that can be united; the smallest member stands for its set.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), Index{0});
-  }
-  Index find(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(Index i, Index j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<Index> parent_;
 };
 
 inline std::array<double, 3> coordinates(const Vec3& p) {
@@ -93,7 +57,7 @@ inline Components connected_components(const CurveSkeleton& skeleton,
                                        const std::vector<Index>& rank) {
   const std::size_t n = skeleton.node_count();
   DisjointSets sets(n);
-  for (const std::array<Index, 2>& ends : skeleton.edge) sets.unite(ends[0], ends[1]);
+  for (const std::array<Index, 2>& ends : skeleton.edge) sets.join(ends[0], ends[1]);
 
   std::vector<double> length(n, 0.0);
   std::vector<Index> best_rank(n, kNone);
@@ -124,7 +88,7 @@ inline Chain walk_chain(const CurveSkeleton& skeleton, const Rows<Index>& node_e
   chain.nodes.push_back(start);
   Index node = start;
   for (;;) {
-    node = opposite_node(skeleton, edge, node);
+    node = other_end(skeleton, edge, node);
     chain.nodes.push_back(node);
     chain.edges.push_back(edge);
     const Row<Index> around = node_edges[node];

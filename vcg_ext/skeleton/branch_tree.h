@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branch_chains.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
@@ -99,9 +100,9 @@ inline void unite_loop(const std::vector<Chain>& chains, const std::vector<Index
   }
   Index meeting = last;
   for (; seen_by[meeting] != closing; meeting = upward(meeting)) {
-    sets.unite(closing, arriving[meeting]);
+    sets.join(closing, arriving[meeting]);
   }
-  for (Index v = first; v != meeting; v = upward(v)) sets.unite(closing, arriving[v]);
+  for (Index v = first; v != meeting; v = upward(v)) sets.join(closing, arriving[v]);
 }
 
 /// Numbers the blocks of loops, in the order of their first chain. The loops of all closing chains

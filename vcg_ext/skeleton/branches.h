@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branch_chains.h"
 #include "vcg_ext/skeleton/branch_tree.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/skeleton/graph_edits.h"
 #include "vcg_ext/skeleton/weighted_median.h"
 
 namespace mgf {
@@ -149,7 +151,7 @@ inline void cluster_junctions(const CurveSkeleton& skeleton, BranchGraph& graph)
     if (graph.node_kind[branch.last_node] != NodeKind::kJunction) continue;
     const double reach =
         std::max(skeleton.radius[branch.first_node], skeleton.radius[branch.last_node]);
-    if (branch.chord < reach) sets.unite(branch.first_node, branch.last_node);
+    if (branch.chord < reach) sets.join(branch.first_node, branch.last_node);
   }
   graph.junction_cluster.assign(skeleton.node_count(), kNone);
   std::vector<Index> cluster_of_root(skeleton.node_count(), kNone);
@@ -171,7 +173,7 @@ inline void cluster_junctions(const CurveSkeleton& skeleton, BranchGraph& graph)
 /// of a lone loop its widest node. Parents follow the shortest way to the root.
 /// Cost: O(n log n) in the nodes, plus the loops times the branches on one of them.
 inline BranchGraph build_branches(const CurveSkeleton& skeleton) {
-  const Rows<Index> node_edges = incident_edges(skeleton);
+  const Rows<Index> node_edges = edges_of_nodes(skeleton);
   const std::vector<Index> rank = branching::canonical_node_ranks(skeleton);
   const branching::Components components = branching::connected_components(skeleton, rank);
   std::vector<branching::Chain> chains = branching::trace_chains(skeleton, node_edges, rank);

@@ -18,32 +18,6 @@ namespace eccentricity_filter {
 /// Reach of the median to either side, in units of the local radius rho = MGF / pi.
 inline constexpr double kReach = 1.0;
 
-/// Whether a skeleton edge's eccentricity means something: its dual triangle isn't degenerate.
-inline bool usable(double eccentricity) {
-  return std::isfinite(eccentricity) && eccentricity > 0.0;
-}
-
-/// The eccentricities with each unusable one replaced by that of the nearest usable edge, in steps
-/// through the graph. Unchanged where a component has no usable edge.
-inline std::vector<double> filled(const CurveSkeleton& skeleton, const Rows<Index>& node_edges) {
-  std::vector<double> value = skeleton.eccentricity;
-  std::vector<Index> front;
-  for (Index e = 0; e < value.size(); ++e) {
-    if (usable(value[e])) front.push_back(e);
-  }
-  for (std::size_t next = 0; next < front.size(); ++next) {
-    const Index e = front[next];
-    for (const Index node : skeleton.edge[e]) {
-      for (const Index neighbour : node_edges[node]) {
-        if (usable(value[neighbour])) continue;
-        value[neighbour] = value[e];
-        front.push_back(neighbour);
-      }
-    }
-  }
-  return value;
-}
-
 /// Calls `visit(i)` for the edges of a branch, counted along it, whose midpoints lie within `reach`
 /// of that of edge `centre` on its two sides; round the loop if `closed`, each edge once.
 template <class Visit>
@@ -68,13 +42,10 @@ void for_each_near(const std::vector<double>& length, std::size_t centre, double
 }  // namespace eccentricity_filter
 
 /// One eccentricity per skeleton edge: the median, weighted by length, of those on the same branch
-/// within rho = MGF / pi to either side. An unusable one (not positive or not finite: the
-/// dual triangle is degenerate) takes its nearest neighbour's; it stays so if there is none.
-/// Cost: O(n w log w) for w edges a window.
+/// within rho = MGF / pi to either side. Cost: O(n w log w) for w edges a window.
 inline std::vector<double> filtered_eccentricity(const CurveSkeleton& skeleton,
                                                  const BranchGraph& graph) {
-  const std::vector<double> raw = eccentricity_filter::filled(skeleton, incident_edges(skeleton));
-  std::vector<double> filtered(raw.size());
+  std::vector<double> filtered(skeleton.edge_count());
   for (const Branch& branch : graph.branches) {
     std::vector<double> length;
     for (const Index e : branch.edges) length.push_back(skeleton_edge_length(skeleton, e));
@@ -86,7 +57,7 @@ inline std::vector<double> filtered_eccentricity(const CurveSkeleton& skeleton,
       std::vector<double> weights;
       eccentricity_filter::for_each_near(length, i, eccentricity_filter::kReach * rho, closed,
                                          [&](std::size_t j) {
-                                           values.push_back(raw[branch.edges[j]]);
+                                           values.push_back(skeleton.eccentricity[branch.edges[j]]);
                                            weights.push_back(length[j]);
                                          });
       filtered[branch.edges[i]] = weighted_median(values, weights);

@@ -13,6 +13,7 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/skeleton/graph_edits.h"
 #include "vcg_ext/skeleton/resampling.h"
 #include "vcg_ext/skeleton/stiff_curve.h"
 
@@ -206,6 +207,7 @@ inline std::vector<CurveSample> smooth_branch(const Branch& branch, const Branch
 inline Index add_node(const CurveSample& sample, Index raw_node, SmoothSkeleton& smooth) {
   smooth.position.push_back(sample.point);
   smooth.radius.push_back(sample.radius);
+  smooth.node_eccentricity.push_back(0.0);
   smooth.node_mgf.push_back(sample.mgf);
   smooth.raw_node.push_back(raw_node);
   return to_index(smooth.position.size() - 1);
@@ -253,23 +255,6 @@ inline void add_branch(const CurveSkeleton& raw, const Branch& branch, Index id,
   }
 }
 
-/// Eccentricity per node: the mean over its edges, weighted by length, as in the raw skeleton.
-inline void average_eccentricity(SmoothSkeleton& smooth) {
-  std::vector<double> weight(smooth.node_count(), 0.0);
-  smooth.node_eccentricity.assign(smooth.node_count(), 0.0);
-  for (Index e = 0; e < smooth.edge_count(); ++e) {
-    const double length = skeleton_edge_length(smooth, e);
-    if (!std::isfinite(smooth.eccentricity[e])) continue;
-    for (const Index v : smooth.edge[e]) {
-      smooth.node_eccentricity[v] += length * smooth.eccentricity[e];
-      weight[v] += length;
-    }
-  }
-  for (Index v = 0; v < smooth.node_count(); ++v) {
-    if (weight[v] > 0.0) smooth.node_eccentricity[v] /= weight[v];
-  }
-}
-
 }  // namespace smoothing
 
 /// Resamples every branch and bends it as little as its constraints allow: ends in place (a loop
@@ -299,7 +284,7 @@ inline SmoothSkeleton smooth_skeleton(const CurveSkeleton& skeleton, const Branc
   for (const std::array<Index, 2>& ends : smooth.edge) {
     if (!segment_inside(smooth.position[ends[0]], smooth.position[ends[1]])) ++smooth.outside_edges;
   }
-  smoothing::average_eccentricity(smooth);
+  average_eccentricity(smooth);
   smooth.mean_turning = turning.mean();
   return smooth;
 }

@@ -54,18 +54,14 @@ inline Evidence weigh_evidence(Index face, const Row<Index>& circles, const Curv
   evidence.eccentricity = weighted_median(eccentricities, once);
   evidence.rho = weighted_median(radii, once);
   const bool tubular = evidence.eccentricity < threshold;
-  double witnesses = 0.0;
   for (const Index circle : circles) {
-    const double own = skeleton.eccentricity[circle];
-    if (!eccentricity_filter::usable(own)) continue;
-    witnesses += 1.0;
-    if ((own < threshold) == tubular) evidence.agreement += 1.0;
+    if ((skeleton.eccentricity[circle] < threshold) == tubular) evidence.agreement += 1.0;
   }
-  evidence.agreement = witnesses > 0.0 ? evidence.agreement / witnesses : 0.0;
+  evidence.agreement /= static_cast<double>(circles.size());
   return evidence;
 }
 
-/// The evidence of all faces that a usable circle runs through, in an order by what it says, so
+/// The evidence of all faces that circles run through, in an order by what it says, so
 /// that a position in it serves as a label whose ties don't depend on the numbers of the faces.
 inline std::vector<Evidence> collect_evidence(const Rows<Index>& circles_on_face,
                                               const CurveSkeleton& skeleton,
@@ -74,7 +70,7 @@ inline std::vector<Evidence> collect_evidence(const Rows<Index>& circles_on_face
   std::vector<Evidence> evidence;
   for (Index f = 0; f < circles_on_face.size(); ++f) {
     const Row<Index> circles = circles_on_face[f];
-    if (circles.empty() || !eccentricity_filter::usable(filtered[circles.front()])) continue;
+    if (circles.empty()) continue;
     evidence.push_back(weigh_evidence(f, circles, skeleton, filtered, threshold));
   }
   std::sort(evidence.begin(), evidence.end(), [](const Evidence& a, const Evidence& b) {
