@@ -18,6 +18,7 @@ using mgf::files::FileError;
 using mgf::files::FileMesh;
 
 std::string read_bytes(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) throw FileError("there is no such file");
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path)) throw FileError("the file can't be opened");
   std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());

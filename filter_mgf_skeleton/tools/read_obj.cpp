@@ -20,7 +20,7 @@ std::string joined_lines(std::string text) {
 std::int64_t corner_vertex(const TextScanner& scanner, std::string_view corner,
                            std::size_t points_so_far) {
   const std::string_view digits = corner.substr(0, corner.find('/'));
-  if (digits.empty()) scanner.fail("'" + std::string(corner) + "' names no vertex");
+  if (digits.empty()) scanner.fail(TextScanner::quoted(corner) + " names no vertex");
   const auto number = scanner.parsed<std::int64_t>(digits, "a vertex number");
   if (number == 0) scanner.fail("a face names vertex 0, but OBJ numbers them from 1");
   return number > 0 ? number - 1 : static_cast<std::int64_t>(points_so_far) + number;

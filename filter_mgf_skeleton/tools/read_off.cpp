@@ -11,7 +11,7 @@ void skip_header(TextScanner& scanner) {
   const std::string_view header = ahead.word();
   if (header.size() < 3 || header.substr(header.size() - 3) != "OFF") return;
   if (header.find_first_of("4n") != std::string_view::npos)
-    scanner.fail("'" + std::string(header) + "': only OFF in three dimensions can be read");
+    scanner.fail(TextScanner::quoted(header) + ": only OFF in three dimensions can be read");
   scanner = ahead;
   if (ahead.word_on_line() == "BINARY") scanner.fail("binary OFF can't be read; save it as text");
 }

@@ -39,14 +39,14 @@ NumberType number_type(const TextScanner& scanner, std::string_view name) {
   if (name == "uint" || name == "uint32") return NumberType::kUint32;
   if (name == "float" || name == "float32") return NumberType::kFloat32;
   if (name == "double" || name == "float64") return NumberType::kFloat64;
-  scanner.fail("'" + std::string(name) + "' is no number type of PLY");
+  scanner.fail(TextScanner::quoted(name) + " is no number type of PLY");
 }
 
 std::optional<ByteOrder> format(const TextScanner& scanner, std::string_view name) {
   if (name == "ascii") return std::nullopt;
   if (name == "binary_little_endian") return ByteOrder::kLittleEndian;
   if (name == "binary_big_endian") return ByteOrder::kBigEndian;
-  scanner.fail("'" + std::string(name) + "' is no format of PLY");
+  scanner.fail(TextScanner::quoted(name) + " is no format of PLY");
 }
 
 Element read_element(TextScanner& scanner) {
@@ -85,7 +85,7 @@ Header read_header(TextScanner& scanner) {
       if (header.elements.empty()) scanner.fail("a property stands before any element");
       header.elements.back().properties.push_back(read_property(scanner));
     } else if (keyword != "comment" && keyword != "obj_info") {
-      scanner.fail("'" + std::string(keyword) + "' has no meaning in the header of a PLY file");
+      scanner.fail(TextScanner::quoted(keyword) + " has no meaning in the header of a PLY file");
     }
     scanner.next_line();
   }

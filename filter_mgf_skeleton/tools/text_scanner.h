@@ -2,6 +2,7 @@
 // Reads words and numbers from the text of a mesh file, and knows the line it is on.
 #pragma once
 
+#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -63,7 +64,7 @@ class TextScanner {
         return std::strtod(std::string(digits).c_str(), nullptr);
     }
     if (error != std::errc() || end != digits.data() + digits.size())
-      fail("'" + std::string(word) + "' stands where " + what + " should be");
+      fail(quoted(word) + " stands where " + what + " should be");
     return value;
   }
 
@@ -72,6 +73,14 @@ class TextScanner {
   }
 
   std::size_t position() const { return position_; }
+
+  /// A word for an error message, which must stay one line of text whatever the file holds.
+  static std::string quoted(std::string_view word) {
+    constexpr std::size_t kLongest = 40;
+    for (const char c : word.substr(0, kLongest))
+      if (std::isprint(static_cast<unsigned char>(c)) == 0) return "something that is no text";
+    return "'" + std::string(word.substr(0, kLongest)) + "'";
+  }
 
  private:
   static bool is_blank(char c) {
