@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,7 +59,7 @@ inline constexpr double kTiniest = 1e-40;
 inline constexpr double kHugest = 1e40;
 inline constexpr double kTiny = 1e-12;
 inline constexpr double kHuge = 1e12;
-/// Distance from the origin in diagonals; single precision then resolves 1/1000 of the diagonal.
+/// Distance from the origin in extents; single precision then resolves 1/1000 of the extent.
 inline constexpr double kFar = 1e4;
 
 inline bool is_fatal(const std::vector<Finding>& findings) {
@@ -90,29 +90,34 @@ inline std::vector<Finding> check_indices(const TriangleSurface& input) {
 
 /// Are the coordinates in use numbers that can be computed with.
 inline std::vector<Finding> check_coordinates(const TriangleSurface& input) {
-  std::vector<Index> used;
-  for (const Triangle& t : input.triangles) used.insert(used.end(), t.begin(), t.end());
-  used = sorted_unique(std::move(used));
   std::vector<Index> bad;
-  double largest = 0.0;
-  std::vector<Vec3> points;
-  for (const Index v : used) {
-    if (!input.points[v].allFinite()) bad.push_back(v);
-    largest = std::max(largest, input.points[v].cwiseAbs().maxCoeff());
-    points.push_back(input.points[v]);
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  for (const Triangle& t : input.triangles) {
+    for (const Index v : t) {
+      if (!input.points[v].allFinite()) bad.push_back(v);
+      low = low.cwiseMin(input.points[v]);
+      high = high.cwiseMax(input.points[v]);
+    }
   }
   if (!bad.empty()) {
+    bad = sorted_unique(std::move(bad));
     const std::size_t count = bad.size();
     return {make_finding("non_finite", Severity::kFatal, count, {}, std::move(bad))};
   }
   std::vector<Finding> findings;
-  const double diagonal = bounding_box_diagonal(points);
-  if (diagonal < kTiny || largest > kHuge) {
-    const bool fatal = diagonal < kTiniest || largest > kHugest;
-    findings.push_back(
-        make_finding("huge_or_tiny_coordinates", fatal ? Severity::kFatal : Severity::kWarning, 1));
+  // Not the diagonal: the squares of tiny numbers are 0.
+  const double extent = (high - low).maxCoeff();
+  const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  const auto outside = [&](double least, double most) {
+    return (extent > 0.0 && extent < least) || largest > most;
+  };
+  if (outside(kTiny, kHuge)) {
+    const Severity severity =
+        outside(kTiniest, kHugest) ? Severity::kFatal : Severity::kWarning;
+    findings.push_back(make_finding("huge_or_tiny_coordinates", severity, 1));
   }
-  if (largest > kFar * diagonal) {
+  if (extent > 0.0 && largest > kFar * extent) {
     findings.push_back(make_finding("far_from_origin", Severity::kWarning, 1));
   }
   return findings;
