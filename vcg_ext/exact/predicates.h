@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Signs of determinants of points, always right: a floating-point filter that settles nearly every
+// call inline, exact arithmetic for the rest.
+#pragma once
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+
+#include "vcg_ext/core/types.h"
+
+namespace mgf {
+namespace exact_detail {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+inline Kernel::Point_3 to_cgal(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// Bounds on the rounding error of the determinants below, as multiples of their permanents
+// (Shewchuk 1997, "Adaptive precision floating-point arithmetic", section 4.3), with a little to
+// spare; u = 2^-53.
+inline constexpr double kRoundoff = 1.1102230246251565e-16;
+inline constexpr double kOrientBound = 8.0 * kRoundoff;
+inline constexpr double kSphereBound = 18.0 * kRoundoff;
+// Below these the permanents are in reach of underflow, which the bounds ignore.
+inline constexpr double kOrientFloor = 1e-280;
+inline constexpr double kSphereFloor = 1e-270;
+
+inline int sign(double value) {
+  return (value > 0.0) - (value < 0.0);
+}
+
+inline int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return static_cast<int>(CGAL::orientation(to_cgal(a), to_cgal(b), to_cgal(c), to_cgal(d)));
+}
+
+inline int in_sphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                           const Vec3& e) {
+  return static_cast<int>(
+      CGAL::side_of_oriented_sphere(to_cgal(a), to_cgal(b), to_cgal(c), to_cgal(d), to_cgal(e)));
+}
+
+}  // namespace exact_detail
+
+/// The sign of det(b - a, c - a, d - a): +1 if d sees a, b, c clockwise, that is if abcd is a
+/// positively oriented tetrahedron, -1 if negatively, 0 if the four points are coplanar. Exact for
+/// finite coordinates. A few nanoseconds unless the points are nearly coplanar.
+inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const double bx = b.x() - a.x(), by = b.y() - a.y(), bz = b.z() - a.z();
+  const double cx = c.x() - a.x(), cy = c.y() - a.y(), cz = c.z() - a.z();
+  const double dx = d.x() - a.x(), dy = d.y() - a.y(), dz = d.z() - a.z();
+  const double bycz = by * cz, bzcy = bz * cy;
+  const double bzcx = bz * cx, bxcz = bx * cz;
+  const double bxcy = bx * cy, bycx = by * cx;
+  const double determinant = dx * (bycz - bzcy) + dy * (bzcx - bxcz) + dz * (bxcy - bycx);
+  const double permanent = std::abs(dx) * (std::abs(bycz) + std::abs(bzcy)) +
+                           std::abs(dy) * (std::abs(bzcx) + std::abs(bxcz)) +
+                           std::abs(dz) * (std::abs(bxcy) + std::abs(bycx));
+  if (permanent > exact_detail::kOrientFloor &&
+      std::abs(determinant) > exact_detail::kOrientBound * permanent) {
+    return determinant > 0.0 ? 1 : -1;
+  }
+  return exact_detail::orient3d_exact(a, b, c, d);
+}
+
+/// +1 if e lies inside the sphere through a, b, c, d, -1 if outside, 0 if on it. Requires abcd to
+/// be positively oriented. Exact for finite coordinates.
+inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+  const Vec3 p[4] = {a - e, b - e, c - e, d - e};
+  double lift[4];
+  for (int i = 0; i < 4; ++i) lift[i] = p[i].squaredNorm();
+  // Minors of the rows i, j in x and y; `plus` holds their permanents.
+  double minor[4][4];
+  double plus[4][4];
+  for (int i = 0; i < 4; ++i) {
+    for (int j = i + 1; j < 4; ++j) {
+      const double left = p[i].x() * p[j].y();
+      const double right = p[j].x() * p[i].y();
+      minor[i][j] = left - right;
+      plus[i][j] = std::abs(left) + std::abs(right);
+    }
+  }
+  const auto det3 = [&](int i, int j, int k) {
+    return p[i].z() * minor[j][k] - p[j].z() * minor[i][k] + p[k].z() * minor[i][j];
+  };
+  const auto permanent3 = [&](int i, int j, int k) {
+    return std::abs(p[i].z()) * plus[j][k] + std::abs(p[j].z()) * plus[i][k] +
+           std::abs(p[k].z()) * plus[i][j];
+  };
+  const double determinant = lift[0] * det3(1, 2, 3) - lift[1] * det3(0, 2, 3) +
+                             lift[2] * det3(0, 1, 3) - lift[3] * det3(0, 1, 2);
+  const double permanent = lift[0] * permanent3(1, 2, 3) + lift[1] * permanent3(0, 2, 3) +
+                           lift[2] * permanent3(0, 1, 3) + lift[3] * permanent3(0, 1, 2);
+  if (permanent > exact_detail::kSphereFloor &&
+      std::abs(determinant) > exact_detail::kSphereBound * permanent) {
+    return determinant > 0.0 ? 1 : -1;
+  }
+  return exact_detail::in_sphere_exact(a, b, c, d, e);
+}
+
+}  // namespace mgf

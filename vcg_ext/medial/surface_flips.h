@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From T to T': edge flips that bring the input surface nearer to the Delaunay tetrahedralisation.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <vector>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/tetrahedral_mesh.h"
+
+namespace mgf {
+namespace surface_flips_detail {
+
+inline constexpr double kFlatSine = 5e-4;          // two faces within 0.03 degrees are coplanar
+inline constexpr double kGuardCosine = 0.8660254;  // normals may differ by 30 degrees
+inline constexpr int kSweeps = 6;
+
+// The two faces at an edge ab of a closed manifold surface: f = abc, g = bad.
+struct EdgePair {
+  Index f, g, a, b, c, d;
+};
+
+class SurfaceFlipper {
+ public:
+  SurfaceFlipper(const std::vector<Vec3>& points, ConstrainedSurface& surface)
+      : points_(points), surface_(surface), queued_(surface.faces().size(), 0) {
+    parent_normal_.reserve(surface.faces().size());
+    for (const Triangle& face : surface.faces()) parent_normal_.push_back(normal(face));
+  }
+
+  // 2-D Delaunay flips over edges between coplanar faces. Returns the number of flips.
+  Index flip_coplanar() {
+    for (Index f = 0; f < surface_.faces().size(); ++f) enqueue(f);
+    return run([&](const EdgePair& e) { return is_flat(e) && is_not_delaunay(e); });
+  }
+
+  // Flips that raise the number of faces, or of edges, that `delaunay` has.
+  Index flip_towards(const TetrahedralMesh& delaunay) {
+    for (Index f = 0; f < surface_.faces().size(); ++f) {
+      if (!present(delaunay, surface_.face(f))) enqueue(f);
+    }
+    return run([&](const EdgePair& e) { return gains(delaunay, e) && is_gentle(e); });
+  }
+
+ private:
+  Vec3 normal(Index a, Index b, Index c) const {
+    return (points_[b] - points_[a]).cross(points_[c] - points_[a]);
+  }
+  Vec3 normal(const Triangle& t) const { return normal(t[0], t[1], t[2]); }
+
+  static bool present(const TetrahedralMesh& mesh, const Triangle& t) {
+    return mesh.find_face(t[0], t[1], t[2]) != kNone;
+  }
+
+  void enqueue(Index f) {
+    if (queued_[f] != 0) return;
+    queued_[f] = 1;
+    queue_.push_back(f);
+  }
+
+  // Offers the edges of queued faces to `wanted` and flips those it accepts, sweep by sweep.
+  template <class Wanted>
+  Index run(const Wanted& wanted) {
+    Index flips = 0;
+    for (int sweep = 0; sweep < kSweeps && !queue_.empty(); ++sweep) {
+      std::vector<Index> faces;
+      faces.swap(queue_);
+      for (const Index f : faces) queued_[f] = 0;
+      for (const Index f : faces) {
+        for (unsigned i = 0; i < 3; ++i) {
+          EdgePair e{};
+          if (!pair_at(f, i, e) || !wanted(e)) continue;
+          flip(e);
+          ++flips;
+          break;
+        }
+      }
+    }
+    for (const Index f : queue_) queued_[f] = 0;
+    queue_.clear();
+    return flips;
+  }
+
+  // The flippable pair at side i of f; false if its flip would double an edge.
+  bool pair_at(Index f, unsigned i, EdgePair& e) const {
+    const Triangle& face = surface_.face(f);
+    e.f = f;
+    e.a = face[i];
+    e.b = face[(i + 1) % 3];
+    e.c = face[(i + 2) % 3];
+    e.g = kNone;
+    for (const Index g : surface_.faces_at(e.a)) {
+      if (g == f || !ConstrainedSurface::has_corner(surface_.face(g), e.b)) continue;
+      if (e.g != kNone) return false;
+      e.g = g;
+    }
+    if (e.g == kNone) return false;
+    e.d = ConstrainedSurface::third_corner(surface_.face(e.g), e.a, e.b);
+    return e.c != e.d;
+  }
+
+  void flip(const EdgePair& e) {
+    surface_.flip_edge(e.f, e.g, e.a, e.b);
+    for (const Index f : {e.f, e.g}) {
+      enqueue(f);
+      const Triangle face = surface_.face(f);
+      for (unsigned i = 0; i < 3; ++i) {
+        for (const Index g : surface_.faces_at_edge(face[i], face[(i + 1) % 3])) enqueue(g);
+      }
+    }
+  }
+
+  bool is_flat(const EdgePair& e) const {
+    const Vec3 m = normal(e.a, e.b, e.c);
+    const Vec3 n = normal(e.b, e.a, e.d);
+    const double scale = m.norm() * n.norm();
+    return m.dot(n) > 0.0 && m.cross(n).norm() <= kFlatSine * scale;
+  }
+
+  // The angles opposite the edge sum to more than pi, the flip keeps both faces' side, and the edge
+  // is new.
+  bool is_not_delaunay(const EdgePair& e) const {
+    const double excess = cotangent(e.c, e.a, e.b) + cotangent(e.d, e.a, e.b);
+    if (!(excess < -1e-9)) return false;
+    const Vec3 m = normal(e.a, e.b, e.c) + normal(e.b, e.a, e.d);
+    return normal(e.c, e.a, e.d).dot(m) > 0.0 && normal(e.d, e.b, e.c).dot(m) > 0.0 &&
+           !surface_.has_edge(e.c, e.d);
+  }
+
+  double cotangent(Index corner, Index a, Index b) const {
+    const Vec3 u = points_[a] - points_[corner];
+    const Vec3 v = points_[b] - points_[corner];
+    return u.dot(v) / u.cross(v).norm();
+  }
+
+  bool gains(const TetrahedralMesh& mesh, const EdgePair& e) const {
+    const auto has = [&](Index a, Index b, Index c) {
+      return mesh.find_face(a, b, c) != kNone ? 1 : 0;
+    };
+    const int before = has(e.a, e.b, e.c) + has(e.a, e.b, e.d);
+    if (before == 2 || mesh.find_edge(e.c, e.d) == kNone) return false;
+    const int after = has(e.c, e.d, e.a) + has(e.c, e.d, e.b);
+    if (after < before || surface_.has_edge(e.c, e.d)) return false;
+    return after > before || (before == 0 && mesh.find_edge(e.a, e.b) == kNone);
+  }
+
+  // Old, new and original normals all within the guard angle of each other.
+  bool is_gentle(const EdgePair& e) const {
+    const Vec3 normals[6] = {normal(e.a, e.b, e.c), normal(e.b, e.a, e.d), normal(e.c, e.a, e.d),
+                             normal(e.d, e.b, e.c), parent_normal_[e.f],   parent_normal_[e.g]};
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < i; ++j) {
+        if (normals[i].dot(normals[j]) < kGuardCosine * normals[i].norm() * normals[j].norm()) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  const std::vector<Vec3>& points_;
+  ConstrainedSurface& surface_;
+  std::vector<Vec3> parent_normal_;  // of the face of T that each face started as
+  std::vector<char> queued_;
+  std::vector<Index> queue_;
+};
+
+}  // namespace surface_flips_detail
+
+/// Flips edges between coplanar faces of `surface` until they're Delaunay within their plane, which
+/// keeps T as a set. Returns the number of flips.
+inline Index flip_coplanar_edges(const std::vector<Vec3>& points, ConstrainedSurface& surface) {
+  return surface_flips_detail::SurfaceFlipper(points, surface).flip_coplanar();
+}
+
+/// Flips edges of `surface` so that more of its faces and edges are in `mesh`. No normal turns by
+/// more than 30 degrees, and the surface's topology stays: a flip never doubles an edge. Returns
+/// the number of flips.
+inline Index flip_towards(const TetrahedralMesh& mesh, ConstrainedSurface& surface) {
+  return surface_flips_detail::SurfaceFlipper(mesh.points(), surface).flip_towards(mesh);
+}
+
+}  // namespace mgf

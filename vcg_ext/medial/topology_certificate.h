@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The proof, checked: finished arrays against the hypotheses of the topology theorem.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/exact/predicates.h"
+#include "vcg_ext/medial/betti.h"
+#include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/interior_tetrahedra.h"
+#include "vcg_ext/medial/tetrahedral_mesh.h"
+
+namespace mgf {
+namespace certificate_detail {
+
+inline Triangle canonical(const Triangle& t) {
+  const auto lowest = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
+  return {t[lowest], t[(lowest + 1) % 3], t[(lowest + 2) % 3]};
+}
+
+inline std::vector<Triangle> canonical_sorted(std::vector<Triangle> faces) {
+  std::transform(faces.begin(), faces.end(), faces.begin(), canonical);
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+// Faces where t names u as its neighbour but the two don't share that face with each other.
+inline Index asymmetries(const InteriorTetrahedra& interior) {
+  Index count = 0;
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+    for (unsigned i = 0; i < 4; ++i) {
+      const Index u = interior.neighbours[t][i];
+      if (u == kNone) continue;
+      const Triangle face = face_of(interior.tetrahedra[t], i);
+      bool answered = false;
+      for (unsigned j = 0; j < 4 && u < interior.tetrahedra.size(); ++j) {
+        const Triangle back = face_of(interior.tetrahedra[u], j);
+        answered = answered || (interior.neighbours[u][j] == t &&
+                                canonical(back) == canonical({face[0], face[2], face[1]}));
+      }
+      count += answered ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+// Whether each edge of `faces` has two faces that run along it in opposite directions, and the
+// faces at each vertex form one fan.
+inline bool is_manifold(const std::vector<Triangle>& faces, std::size_t point_count) {
+  const ConstrainedSurface surface(point_count, faces);
+  for (Index v = 0; v < point_count; ++v) {
+    const std::vector<Index>& fan = surface.faces_at(v);
+    if (fan.empty()) continue;
+    const auto next_after = [&](Index f) {
+      const Triangle& face = surface.face(f);
+      const auto i =
+          static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin());
+      const Index leaving = face[(i + 2) % 3];
+      Index next = kNone;
+      for (const Index g : fan) {
+        const Triangle& other = surface.face(g);
+        const auto j =
+            static_cast<std::size_t>(std::find(other.begin(), other.end(), v) - other.begin());
+        if (other[(j + 1) % 3] != leaving) continue;
+        if (next != kNone) return kNone;
+        next = g;
+      }
+      return next;
+    };
+    std::size_t length = 0;
+    Index f = fan.front();
+    do {
+      f = next_after(f);
+      ++length;
+    } while (f != kNone && f != fan.front() && length <= fan.size());
+    if (f != fan.front() || length != fan.size()) return false;
+  }
+  return true;
+}
+
+}  // namespace certificate_detail
+
+/// Fills the checks of `interior.certificate` that can be made on the interior alone, and the
+/// verdict. `boundary` is T' as recovery left it; `expected`, `winding_conflicts` and the counts of
+/// flips and points must have been filled in. `embedded` says that the interior is part of a
+/// triangulation of a box that `is_triangulated_box` accepts.
+inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& boundary,
+                    bool embedded) {
+  TopologyCertificate& certificate = interior.certificate;
+  for (const Tetrahedron& t : interior.tetrahedra) {
+    if (orient3d(interior.points[t[0]], interior.points[t[1]], interior.points[t[2]],
+                 interior.points[t[3]]) <= 0) {
+      ++certificate.tetrahedra_not_positive;
+    }
+  }
+  std::vector<Triangle> found;
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+    for (unsigned i = 0; i < 4; ++i) {
+      if (interior.neighbours[t][i] == kNone) found.push_back(face_of(interior.tetrahedra[t], i));
+    }
+  }
+  found = certificate_detail::canonical_sorted(std::move(found));
+  const std::vector<Triangle> wanted = certificate_detail::canonical_sorted(boundary);
+  std::vector<Triangle> difference;
+  std::set_difference(wanted.begin(), wanted.end(), found.begin(), found.end(),
+                      std::back_inserter(difference));
+  certificate.boundary_faces_missing = to_index(difference.size());
+  difference.clear();
+  std::set_difference(found.begin(), found.end(), wanted.begin(), wanted.end(),
+                      std::back_inserter(difference));
+  certificate.boundary_faces_extra = to_index(difference.size());
+  const Index asymmetric = certificate_detail::asymmetries(interior);
+  if (asymmetric == 0) {
+    const DualCells cells = dual_cells(interior.tetrahedra, interior.neighbours);
+    certificate.interior_vertices = to_index(cells.solids);
+    certificate.betti = betti_numbers(cells);
+  }
+  const bool counted = asymmetric == 0 && certificate.betti == certificate.expected;
+  const bool proven = counted && embedded && certificate.boundary_faces_missing == 0 &&
+                      certificate.boundary_faces_extra == 0 &&
+                      certificate.tetrahedra_not_positive == 0 &&
+                      certificate.winding_conflicts == 0 && certificate.interior_vertices == 0 &&
+                      certificate_detail::is_manifold(found, interior.points.size());
+  certificate.topology = proven    ? TopologyVerdict::kProven
+                         : counted ? TopologyVerdict::kCounted
+                                   : TopologyVerdict::kFailed;
+}
+
+/// Whether `mesh` is a triangulation of the box whose hull faces are `hull` triangles: adjacency
+/// symmetric, every tetrahedron positive (exact). Then the map of the abstract complex into space
+/// is a homeomorphism onto the box, as a local homeomorphism of degree one.
+inline bool is_triangulated_box(const TetrahedralMesh& mesh, std::size_t hull) {
+  std::size_t open = 0;
+  for (Index t = 0; t < mesh.slot_count(); ++t) {
+    if (!mesh.alive(t)) continue;
+    const Tetrahedron& c = mesh.corners(t);
+    if (mesh.orientation(c[0], c[1], c[2], c[3]) <= 0) return false;
+    for (unsigned i = 0; i < 4; ++i) {
+      const Index u = mesh.neighbour(t, i);
+      if (u == kNone) {
+        ++open;
+        continue;
+      }
+      const Triangle face = face_of(c, i);
+      const Triangle reverse = certificate_detail::canonical({face[0], face[2], face[1]});
+      bool answered = false;
+      for (unsigned j = 0; j < 4 && mesh.alive(u); ++j) {
+        answered = answered || (mesh.neighbour(u, j) == t && certificate_detail::canonical(face_of(
+                                                                 mesh.corners(u), j)) == reverse);
+      }
+      if (!answered) return false;
+    }
+  }
+  return open == hull;
+}
+
+}  // namespace mgf

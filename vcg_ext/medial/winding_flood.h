@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which tetrahedra lie inside: winding numbers by crossing the surface's faces one at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/tetrahedral_mesh.h"
+
+namespace mgf {
+
+/// Winding number of the surface about each tetrahedron.
+struct WindingNumbers {
+  std::vector<int> winding;                       ///< one per slot of the mesh
+  std::vector<std::array<std::int8_t, 4>> walls;  ///< times that the surface has the face opposite
+                                                  ///< corner i, outward from the tetrahedron minus
+                                                  ///< inward
+  Index faces_missing = 0;  ///< faces of the surface that are no face of the mesh
+  Index conflicts = 0;      ///< faces whose two sides contradict each other: 0 unless faces miss
+};
+
+namespace winding_detail {
+
+inline bool same_orientation(const Triangle& f, const Triangle& g) {
+  return f == g || f == Triangle{g[1], g[2], g[0]} || f == Triangle{g[2], g[0], g[1]};
+}
+
+inline void add_wall(const TetrahedralMesh& mesh, const Triangle& face, WindingNumbers& result) {
+  const Index t = mesh.find_face(face[0], face[1], face[2]);
+  if (t == kNone) {
+    ++result.faces_missing;
+    return;
+  }
+  unsigned i = 0;
+  while (ConstrainedSurface::has_corner(face, mesh.corners(t)[i])) ++i;
+  const int sign = same_orientation(face, face_of(mesh.corners(t), i)) ? 1 : -1;
+  result.walls[t][i] = static_cast<std::int8_t>(result.walls[t][i] + sign);
+  const Index u = mesh.neighbour(t, i);
+  if (u == kNone) return;
+  unsigned j = 0;
+  while (ConstrainedSurface::has_corner(face, mesh.corners(u)[j])) ++j;
+  result.walls[u][j] = static_cast<std::int8_t>(result.walls[u][j] - sign);
+}
+
+}  // namespace winding_detail
+
+/// Floods the mesh from its hull, which has winding number 0. Linear time.
+inline WindingNumbers flood_winding_numbers(const TetrahedralMesh& mesh,
+                                            const ConstrainedSurface& surface) {
+  constexpr int kUnknown = 1 << 30;
+  WindingNumbers result;
+  result.winding.assign(mesh.slot_count(), kUnknown);
+  result.walls.assign(mesh.slot_count(), {});
+  for (const Triangle& face : surface.faces()) winding_detail::add_wall(mesh, face, result);
+  std::vector<Index> queue;
+  for (Index t = 0; t < mesh.slot_count(); ++t) {
+    if (!mesh.alive(t)) continue;
+    for (unsigned i = 0; i < 4; ++i) {
+      if (mesh.neighbour(t, i) != kNone || result.winding[t] != kUnknown) continue;
+      result.winding[t] = 0;
+      queue.push_back(t);
+    }
+  }
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const Index t = queue[next];
+    for (unsigned i = 0; i < 4; ++i) {
+      const Index u = mesh.neighbour(t, i);
+      if (u == kNone) continue;
+      // Leaving through a face that points out of t takes one turn away.
+      const int winding = result.winding[t] - result.walls[t][i];
+      if (result.winding[u] == kUnknown) {
+        result.winding[u] = winding;
+        queue.push_back(u);
+      } else if (result.winding[u] != winding && t < u) {
+        ++result.conflicts;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace mgf
