@@ -147,10 +147,23 @@ def meshlabserver(*arguments, folder):
         )
 
 
+def _paint_background_white(settings):
+    """Pictures are for paper. MeshLab keeps its settings as XML inside an INI file."""
+    lines = ["[General]"]
+    for end in ("Bot", "Top"):
+        xml = f'<Param name="MeshLab::Appearance::background{end}Color" type="RichColor" '
+        xml += 'r="255" g="255" b="255" a="255" description="" tooltip=""/>'
+        lines.append(f"background{end}=" + json.dumps(xml))
+    folder = pathlib.Path(settings) / "VCG"
+    folder.mkdir()
+    (folder / "MeshLab_64bit_fp.conf").write_text("\n".join(lines) + "\n")
+
+
 def meshlab_window(files, commands, size="1280x960"):
     """Opens files in MeshLab's window, does what the commands say (scripts/meshlab_driver lists
     them; each is a tuple of words) and gives what was seen, one dictionary a line."""
     with display(size) as name, tempfile.TemporaryDirectory() as settings:
+        _paint_background_white(settings)
         script = pathlib.Path(settings) / "commands"
         transcript = pathlib.Path(settings) / "transcript"
         script.write_text("".join("\t".join(map(str, words)) + "\n" for words in commands))
