@@ -113,8 +113,7 @@ inline std::vector<Finding> check_coordinates(const TriangleSurface& input) {
     return (extent > 0.0 && extent < least) || largest > most;
   };
   if (outside(kTiny, kHuge)) {
-    const Severity severity =
-        outside(kTiniest, kHugest) ? Severity::kFatal : Severity::kWarning;
+    const Severity severity = outside(kTiniest, kHugest) ? Severity::kFatal : Severity::kWarning;
     findings.push_back(make_finding("huge_or_tiny_coordinates", severity, 1));
   }
   if (extent > 0.0 && largest > kFar * extent) {

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How thick the shape is beneath its surface: the length of inward normal rays.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/exact/surface_tree.h"
+
+namespace mgf {
+
+/// The longest side of a face.
+inline double longest_side(const TriangleSurface& surface, Index face) {
+  const Triangle& t = surface.triangles[face];
+  const Vec3& a = surface.points[t[0]];
+  const Vec3& b = surface.points[t[1]];
+  const Vec3& c = surface.points[t[2]];
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
+
+/// Local thickness of a shape: the distance from a point of a face along the inward normal to the
+/// surface. Unlike the radius of the medial ball it doesn't go to 0 at convex edges.
+class Thickness {
+ public:
+  /// Refers to both, which must outlive it. Requires an outward-oriented surface without
+  /// collinear faces.
+  Thickness(const TriangleSurface& surface, const SurfaceTree& tree)
+      : surface_(surface), tree_(tree) {}
+
+  /// The thickness at barycentric coordinates `at` of a face, mesh units; infinite if it's more
+  /// than `limit`.
+  double at(Index face, const Vec3& at, double limit) const {
+    const Triangle& t = surface_.triangles[face];
+    const Vec3& a = surface_.points[t[0]];
+    const Vec3& b = surface_.points[t[1]];
+    const Vec3& c = surface_.points[t[2]];
+    const Vec3 from = at[0] * a + at[1] * b + at[2] * c;
+    const Vec3 inward = -(b - a).cross(c - a).normalized();
+    const auto hit =
+        tree_.first_hit(from, from + limit * inward, [face](Index other) { return other == face; });
+    return hit ? hit->distance : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  const TriangleSurface& surface_;
+  const SurfaceTree& tree_;
+};
+
+/// The faces whose longest side is more than the shape's thickness beneath their centre: balls
+/// through their corners then reach through the shape, and no medial axis can be made from them.
+/// One entry per face. Cost: a short ray each.
+inline std::vector<char> faces_coarser_than_thickness(const TriangleSurface& surface,
+                                                      const SurfaceTree& tree) {
+  const Thickness thickness(surface, tree);
+  const Vec3 centre = Vec3::Constant(1.0 / 3.0);
+  std::vector<char> coarse;
+  coarse.reserve(surface.triangles.size());
+  for (Index f = 0; f < surface.triangles.size(); ++f) {
+    const double longest = longest_side(surface, f);
+    coarse.push_back(std::isfinite(thickness.at(f, centre, longest)) ? 1 : 0);
+  }
+  return coarse;
+}
+
+/// The thickness of one face at the centres of the 16 like triangles that it can be cut into. Fixed
+/// points bound it from below, so that refining at an acute edge, where it goes to 0, ends.
+class FaceThickness {
+ public:
+  /// Thickness beyond `limit` counts as infinite.
+  FaceThickness(const Thickness& thickness, Index face, double limit) {
+    for (int i = 0; i < kParts; ++i) {
+      for (int j = 0; i + j < kParts; ++j) {
+        at_[cell(i, j, false)] = thickness.at(face, centre(i, j, 1.0 / 3.0), limit);
+        if (i + j < kParts - 1) {
+          at_[cell(i, j, true)] = thickness.at(face, centre(i, j, 2.0 / 3.0), limit);
+        }
+      }
+    }
+  }
+
+  /// The thickness at barycentric coordinates `at`.
+  double near(const Vec3& at) const {
+    const auto part = [](double share) {
+      return std::clamp(static_cast<int>(std::floor(share * kParts)), 0, kParts - 1);
+    };
+    const int i = part(at[0]);
+    const int j = std::min(part(at[1]), kParts - 1 - i);
+    const int k = part(at[2]);
+    return at_[cell(i, j, i + j + k < kParts - 1 && i + j < kParts - 1)];
+  }
+
+ private:
+  static constexpr int kParts = 4;  // along a side
+
+  static Vec3 centre(int i, int j, double shift) {
+    const double u = (i + shift) / kParts;
+    const double v = (j + shift) / kParts;
+    return {u, v, 1.0 - u - v};
+  }
+  static std::size_t cell(int i, int j, bool upside_down) {
+    return static_cast<std::size_t>((i * kParts + j) * 2 + (upside_down ? 1 : 0));
+  }
+
+  std::array<double, static_cast<std::size_t>(2 * kParts * kParts)> at_{};
+};
+
+}  // namespace mgf
