@@ -123,19 +123,44 @@ TEST(Segmentation, ReachesFacesBetweenSparseCircles) {
 TEST(Segmentation, MajorityOfCirclesDecidesAndATieIsTubular) {
   CircledShape shape = circled_tube(30.0, 0.1, 3, 12);
   shape.skeleton.eccentricity = {1.0, 2.0, 3.0};  // each alone in its window
-  std::vector<std::vector<Index>> circles(3);
+  std::vector<std::vector<Index>> ring(3);
   for (Index e = 0; e < 3; ++e) {
+    ring[e].assign(shape.circles.faces[e].begin(), shape.circles.faces[e].end());
+  }
+  const auto joined = [](std::vector<Index> one, const std::vector<Index>& other) {
+    one.insert(one.end(), other.begin(), other.end());
+    return one;
+  };
+  // Ring 0 is crossed by all three circles, ring 1 by the second, ring 2 by the first and third.
+  set_circles({joined(ring[0], ring[2]), joined(ring[0], ring[1]), joined(ring[0], ring[2])},
+              shape);
+  const Segmentation result = segment(shape);
+  for (Index i = 0; i < ring[0].size(); ++i) {
+    EXPECT_EQ(result.tubular[ring[0][i]], 0);
+    EXPECT_EQ(result.tubular[ring[1][i]], 0);
+    EXPECT_EQ(result.tubular[ring[2][i]], 1);
+  }
+}
+
+TEST(Segmentation, AFlatPatchSmallerThanTheTubesSectionIsNoise) {
+  CircledShape shape = circled_tube(20.0, 1.0, 100, 24);
+  std::vector<std::vector<Index>> circles(100);
+  for (Index e = 0; e < 100; ++e) {
     circles[e].assign(shape.circles.faces[e].begin(), shape.circles.faces[e].end());
   }
-  const Index tied = circles[2][0];
-  const Index flat = circles[0][0];
-  circles[0].push_back(tied);
-  circles[1].push_back(flat);
-  circles[2].push_back(flat);
+  for (Index e = 50; e < 100; ++e) shape.skeleton.eccentricity[e] = 2.0;
+  for (Index e = 80; e < 83; ++e) {  // three flat circles stray on the tubular half
+    for (Index stray = 20; stray < 22; ++stray) {
+      circles[e].insert(circles[e].end(), circles[stray].begin(), circles[stray].begin() + 6);
+    }
+  }
   set_circles(circles, shape);
   const Segmentation result = segment(shape);
-  EXPECT_EQ(result.tubular[tied], 1);
-  EXPECT_EQ(result.tubular[flat], 0);
+  EXPECT_NEAR(result.tubular_area_share, 0.5, 0.02);
+  for (Index stray = 20; stray < 22; ++stray) {
+    EXPECT_EQ(result.tubular[circles[stray][0]], 1);
+    EXPECT_EQ(result.eccentricity[circles[stray][0]], 1.0);
+  }
 }
 
 TEST(Segmentation, DoesntDependOnTheOrderOfFaces) {

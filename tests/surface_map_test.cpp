@@ -18,7 +18,7 @@ namespace {
 using test::circled_tube;
 using test::CircledShape;
 using test::CircledTee;
-using test::connected_pieces;
+using test::count_pieces;
 
 SurfaceMap map_of(const CircledShape& shape) {
   return map_surface(shape.surface, unrefined(shape.surface), shape.skeleton,
@@ -65,7 +65,7 @@ TEST(SurfaceMap, GivesEachArmOfATeeOneConnectedPart) {
     all.insert(branches.begin(), branches.end());
   }
   EXPECT_EQ(all.size(), 3U);
-  for (const auto& [branch, pieces] : connected_pieces(tee.shape.surface, map.faces.branch)) {
+  for (const auto& [branch, pieces] : count_pieces(tee.shape.surface, map.faces.branch)) {
     EXPECT_EQ(pieces, 1) << "branch " << branch;
   }
 }
@@ -83,7 +83,7 @@ TEST(SurfaceMap, PartsStayConnectedWhenCirclesStray) {
   }
   test::set_circles(circles, tee.shape);
   const SurfaceMap map = map_of(tee.shape);
-  const auto pieces = connected_pieces(tee.shape.surface, map.faces.branch);
+  const auto pieces = count_pieces(tee.shape.surface, map.faces.branch);
   EXPECT_EQ(pieces.size(), 3U);
   for (const auto& [branch, count] : pieces) EXPECT_EQ(count, 1) << "branch " << branch;
 }
@@ -137,9 +137,9 @@ TEST(Parts, BordersHaveNoTeeth) {
     return length;
   };
   ASSERT_GT(border(toothed), border(part));
-  parting::straighten_borders(faces, toothed);
+  straighten_borders(faces, toothed);
   EXPECT_NEAR(border(toothed), border(part), 1e-9);
-  for (const auto& [label, pieces] : connected_pieces(shape.surface, toothed)) {
+  for (const auto& [label, pieces] : count_pieces(shape.surface, toothed)) {
     EXPECT_EQ(pieces, 1) << "part " << label;
   }
 }

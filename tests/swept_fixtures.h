@@ -169,8 +169,8 @@ class CircledTee {
 };
 
 /// Pieces of a surface of the same label: counted per label, over edges between faces.
-inline std::map<Index, int> connected_pieces(const TriangleSurface& surface,
-                                             const std::vector<Index>& label) {
+inline std::map<Index, int> count_pieces(const TriangleSurface& surface,
+                                         const std::vector<Index>& label) {
   std::map<std::array<Index, 2>, Index> first_face;
   DisjointSets sets(label.size());
   for (Index f = 0; f < label.size(); ++f) {

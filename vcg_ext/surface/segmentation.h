@@ -16,6 +16,7 @@
 #include "vcg_ext/skeleton/eccentricity_filter.h"
 #include "vcg_ext/skeleton/weighted_median.h"
 #include "vcg_ext/surface/face_flood.h"
+#include "vcg_ext/surface/face_pieces.h"
 #include "vcg_ext/surface/geodesic_circles.h"
 
 namespace mgf {
@@ -80,14 +81,65 @@ inline std::vector<Evidence> collect_evidence(const Rows<Index>& circles_on_face
   return evidence;
 }
 
+/// Clears the labels of pieces smaller than a disc of the local radius next to a larger piece.
+inline std::vector<Index> without_islands(const FaceGraph& faces, std::vector<Index> label,
+                                          const std::vector<double>& rho) {
+  const FacePieces pieces = connected_pieces(faces, label);
+  std::vector<double> disc(pieces.area.size(), 0.0);  // area of the local disc, mean over the piece
+  std::vector<char> has_larger_neighbour(pieces.area.size(), 0);
+  for (Index f = 0; f < label.size(); ++f) {
+    const Index piece = pieces.of_face[f];
+    if (piece == kNone) continue;
+    disc[piece] += M_PI * rho[f] * rho[f] * faces.area[f] / pieces.area[piece];
+    for (const Index g : faces.neighbour[f]) {
+      if (g == kNone || pieces.of_face[g] == kNone) continue;
+      if (pieces.area[pieces.of_face[g]] > pieces.area[piece]) has_larger_neighbour[piece] = 1;
+    }
+  }
+  for (Index f = 0; f < label.size(); ++f) {
+    const Index piece = pieces.of_face[f];
+    if (piece == kNone) continue;
+    if (has_larger_neighbour[piece] && pieces.area[piece] < disc[piece]) label[f] = kNone;
+  }
+  return label;
+}
+
+/// The evidence that speaks for each face, as a position in `evidence`, and how far it is: that of
+/// the nearest face with circles, once islands are gone and borders free of teeth.
+inline FaceFlood nearest_evidence(const FaceGraph& faces, const std::vector<Evidence>& evidence,
+                                  double threshold) {
+  const std::size_t n = faces.face_count();
+  std::vector<Index> seeds(n, kNone);
+  for (Index i = 0; i < evidence.size(); ++i) seeds[evidence[i].face] = i;
+  const FaceFlood everyone = flood_faces(faces, seeds);
+
+  const auto class_of = [&](Index i) { return evidence[i].eccentricity < threshold ? 1U : 0U; };
+  std::vector<Index> label(n, kNone);
+  std::vector<double> rho(n, 0.0);
+  for (Index f = 0; f < n; ++f) {
+    if (everyone.label[f] == kNone) continue;
+    label[f] = class_of(everyone.label[f]);
+    rho[f] = evidence[everyone.label[f]].rho;
+  }
+  label = flood_faces(faces, without_islands(faces, label, rho)).label;
+  straighten_borders(faces, label);
+
+  for (Index f = 0; f < n; ++f) {
+    if (seeds[f] != kNone && class_of(seeds[f]) != label[f]) seeds[f] = kNone;
+  }
+  return flood_faces(faces, seeds, [&](Index f, Index g) { return label[f] == label[g]; });
+}
+
 }  // namespace segmentation
 
 /// Labels every face of `input` tubular or flat: a face that geodesic circles run through by the
 /// majority of them (half and half: tubular), a circle being tubular if its eccentricity, filtered
 /// along its branch, is below `eccentricity_threshold`; any other face as the nearest such face
-/// along the surface. Because the majority is the median, the label is `eccentricity` < threshold.
-/// `refined` refines `input`, and the circles run on it. Doesn't depend on the order of the faces.
-/// Cost: O(n log n) in the faces and circle crossings.
+/// along the surface. A piece smaller than a disc of the local radius then joins the larger piece
+/// beside it, and single teeth of a border are levelled; such faces take the eccentricity of the
+/// nearest face with their label. So the label always is `eccentricity` < threshold.
+/// `refined` refines `input`, and the circles run on it. Cost: O(n log n) in the faces and circle
+/// crossings.
 inline Segmentation segment_surface(const TriangleSurface& input, const RefinedSurface& refined,
                                     const CurveSkeleton& skeleton, const BranchGraph& graph,
                                     const GeodesicCircles& circles, double eccentricity_threshold) {
@@ -96,9 +148,7 @@ inline Segmentation segment_surface(const TriangleSurface& input, const RefinedS
   const Rows<Index> circles_on_face = items_on_input_faces(circles.faces, refined.parent_face, n);
   const std::vector<segmentation::Evidence> evidence = segmentation::collect_evidence(
       circles_on_face, skeleton, filtered_eccentricity(skeleton, graph), eccentricity_threshold);
-  std::vector<Index> seeds(n, kNone);
-  for (Index i = 0; i < evidence.size(); ++i) seeds[evidence[i].face] = i;
-  const FaceFlood flood = flood_faces(faces, seeds);
+  const FaceFlood flood = segmentation::nearest_evidence(faces, evidence, eccentricity_threshold);
 
   Segmentation result;
   result.tubular.assign(n, 0);

@@ -11,6 +11,7 @@
 #include "vcg_ext/skeleton/branch_chains.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/skeleton/junction_zones.h"
 #include "vcg_ext/surface/face_flood.h"
 #include "vcg_ext/surface/geodesic_circles.h"
 #include "vcg_ext/surface/parts.h"
@@ -168,7 +169,8 @@ inline SurfaceMap map_surface(const TriangleSurface& input, const RefinedSurface
   const FaceGraph faces = build_face_graph(input);
   const Rows<Index> circles_on_face =
       items_on_input_faces(circles.faces, refined.parent_face, faces.face_count());
-  const std::vector<Index> part = cut_into_parts(faces, circles_on_face, graph.edge_branch);
+  const std::vector<Index> part =
+      cut_into_parts(faces, circles_on_face, owning_branches(skeleton, graph));
   const std::vector<surface_mapping::PlacedEdge> placed =
       surface_mapping::place_edges(skeleton, graph);
   const std::vector<Index> face_edge =
