@@ -105,7 +105,7 @@ TEST(JunctionZones, ALinkFarWiderThanItsLimbsIsTheTrunk) {
     }
   }
   CurveSkeleton skeleton = tube_skeleton(nodes, edges, 0.3);
-  widen(skeleton, 1.0, [](const Vec3& p) { return p.norm() < 1.2; });
+  widen(skeleton, 1.0, [](const Vec3& p) { return p.norm() < 0.9; });
   const BranchGraph graph = build_branches(skeleton);
   const std::vector<Index> owner = owning_branches(skeleton, graph);
   EXPECT_EQ(owner[0], graph.edge_branch[0]);
