@@ -128,10 +128,10 @@ def environment(display_name, settings):
     }
 
 
-def filter_script(name, **values):
-    """The .mlx text that runs a filter. Throws HostError for values that the filter doesn't take."""
-    words = [f"{key}={value}" for key, value in values.items() if value is not None]
-    output, status = run([FILTER_SCRIPT, name, *words])
+def filter_script(*words):
+    """The .mlx text that runs filters: the name of each, and behind it `key=value` for the parameters
+    that aren't to have their defaults. Throws HostError for what the filters don't take."""
+    output, status = run([FILTER_SCRIPT, *words])
     if status != 0:
         raise HostError(output.strip())
     return output

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "filter_mgf_skeleton/filter.h"
 
@@ -120,11 +121,21 @@ std::string parameter_line(const Parameter& parameter, const Given& given) {
          attribute("tooltip", parameter.tooltip) + "/>\n";
 }
 
-std::string script(const Filter& filter, const Given& given) {
-  std::string text =
-      "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter" + attribute("name", filter.name) + ">\n";
-  for (const Parameter& parameter : filter.parameters) text += parameter_line(parameter, given);
-  return text + " </filter>\n</FilterScript>\n";
+/// A filter with the values given for it.
+struct Step {
+  const Filter* filter;
+  Given given;
+};
+
+std::string script(const std::vector<Step>& steps) {
+  std::string text = "<!DOCTYPE FilterScript>\n<FilterScript>\n";
+  for (const Step& step : steps) {
+    text += " <filter" + attribute("name", step.filter->name) + ">\n";
+    for (const Parameter& parameter : step.filter->parameters)
+      text += parameter_line(parameter, step.given);
+    text += " </filter>\n";
+  }
+  return text + "</FilterScript>\n";
 }
 
 const Filter& filter_named(const std::string& name) {
@@ -133,20 +144,28 @@ const Filter& filter_named(const std::string& name) {
   throw std::invalid_argument("there is no filter '" + name + "'");
 }
 
-Given parsed_values(const Filter& filter, char** begin, char** end) {
-  Given given;
-  for (char** argument = begin; argument != end; ++argument) {
-    const std::string text = *argument;
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) throw std::invalid_argument("'" + text + "' is no KEY=VALUE");
-    given[text.substr(0, equals)] = text.substr(equals + 1);
+void require_parameter(const Filter& filter, const std::string& key) {
+  for (const Parameter& parameter : filter.parameters)
+    if (parameter.key == key) return;
+  throw std::invalid_argument("'" + filter.name + "' has no parameter '" + key + "'");
+}
+
+/// Words without '=' name filters, the others give values to the filter before them.
+std::vector<Step> parsed_steps(const std::vector<std::string>& words) {
+  std::vector<Step> steps;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos) {
+      steps.push_back({&filter_named(word), {}});
+    } else if (steps.empty()) {
+      throw std::invalid_argument("'" + word + "' comes before any filter");
+    } else {
+      const std::string key = word.substr(0, equals);
+      require_parameter(*steps.back().filter, key);
+      steps.back().given[key] = word.substr(equals + 1);
+    }
   }
-  for (const auto& [key, value] : given) {
-    bool known = false;
-    for (const Parameter& parameter : filter.parameters) known = known || parameter.key == key;
-    if (!known) throw std::invalid_argument("'" + filter.name + "' has no parameter '" + key + "'");
-  }
-  return given;
+  return steps;
 }
 
 }  // namespace
@@ -154,13 +173,12 @@ Given parsed_values(const Filter& filter, char** begin, char** end) {
 int main(int argument_count, char** arguments) {
   try {
     if (argument_count < 2) {
-      std::cerr << "usage: filter_script FILTER [KEY=VALUE...]; the filters are:\n";
+      std::cerr << "usage: filter_script FILTER [KEY=VALUE...]...; the filters are:\n";
       for (const Filter& filter : mgf::plugin::all_filters())
         std::cerr << "  " << filter.name << '\n';
       return 2;
     }
-    const Filter& filter = filter_named(arguments[1]);
-    std::cout << script(filter, parsed_values(filter, arguments + 2, arguments + argument_count));
+    std::cout << script(parsed_steps({arguments + 1, arguments + argument_count}));
     return 0;
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
