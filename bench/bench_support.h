@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the benchmark programs have in common: meshes from files, clocks, one line of JSON.
+#pragma once
+
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "filter_mgf_skeleton/io/peak_memory.h"
+#include "filter_mgf_skeleton/tools/file_mesh.h"
+#include "vcg_ext/core/types.h"
+
+namespace mgf::bench {
+
+using Json = nlohmann::ordered_json;
+
+/// A triangle mesh from an OFF, PLY, OBJ or STL file. Throws `std::runtime_error`.
+inline TriangleSurface read_surface(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw std::runtime_error("can't open " + path.string());
+  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::string extension = path.extension().string();
+  const files::FileMesh mesh = extension == ".ply"   ? files::read_ply(bytes)
+                               : extension == ".obj" ? files::read_obj(bytes)
+                               : extension == ".stl" ? files::read_stl(bytes)
+                                                     : files::read_off(bytes);
+  TriangleSurface surface;
+  for (const files::Point& p : mesh.points) surface.points.emplace_back(p[0], p[1], p[2]);
+  surface.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+  return surface;
+}
+
+/// Processor time of all threads of this process, user and system.
+inline double cpu_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Wall and processor time since its making.
+class Stopwatch {
+ public:
+  double wall() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start_).count();
+  }
+  double cpu() const { return cpu_seconds() - cpu_start_; }
+
+ private:
+  std::chrono::steady_clock::time_point wall_start_ = std::chrono::steady_clock::now();
+  double cpu_start_ = cpu_seconds();
+};
+
+/// Runs `measure`, prints the JSON that it returns in one line, and turns what is thrown into a
+/// message and exit status 1.
+template <class Measure>
+int report_line(const Measure& measure) {
+  try {
+    Json line = measure();
+    line["peak_memory_mb"] = io::peak_memory_mb();
+    std::cout << line.dump() << std::endl;
+    return EXIT_SUCCESS;
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
+}
+
+}  // namespace mgf::bench

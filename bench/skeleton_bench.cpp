@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Times the way from a mesh file to its curve skeleton, stage by stage; prints one line of JSON.
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "bench_support.h"
+#include "vcg_ext/mgf_skeleton.h"
+
+namespace {
+
+using mgf::Certification;
+using mgf::bench::Json;
+
+constexpr const char* kUsage =
+    "usage: skeleton_bench MESH [--certify unproven|practical|proven] [--threads N]\n";
+
+struct Arguments {
+  std::string mesh;
+  mgf::GeodesicOptions geodesics;
+};
+
+Arguments parse(int count, char** values) {
+  const std::map<std::string, Certification> words{{"unproven", Certification::kUnproven},
+                                                   {"practical", Certification::kPractical},
+                                                   {"proven", Certification::kProven}};
+  Arguments arguments;
+  for (int i = 1; i < count; ++i) {
+    const std::string word = values[i];
+    const bool has_value = i + 1 < count;
+    if (word == "--certify" && has_value) {
+      arguments.geodesics.wanted = words.at(values[++i]);
+    } else if (word == "--threads" && has_value) {
+      arguments.geodesics.threads = static_cast<unsigned>(std::stoul(values[++i]));
+    } else if (arguments.mesh.empty() && word.rfind("--", 0) != 0) {
+      arguments.mesh = word;
+    } else {
+      throw std::invalid_argument(word);
+    }
+  }
+  if (arguments.mesh.empty()) throw std::invalid_argument("no mesh");
+  return arguments;
+}
+
+const char* word(mgf::TopologyVerdict verdict) {
+  switch (verdict) {
+    case mgf::TopologyVerdict::kProven:
+      return "proven";
+    case mgf::TopologyVerdict::kCounted:
+      return "counted";
+    case mgf::TopologyVerdict::kFailed:
+      return "failed";
+  }
+  return "";
+}
+
+Json measure(const Arguments& arguments) {
+  const mgf::bench::Stopwatch total;
+  Json seconds;
+  const auto add = [&seconds](const mgf::StageTimes& times) {
+    for (const mgf::StageTime& time : times) seconds[time.stage] = time.seconds;
+  };
+  const mgf::TriangleSurface surface = mgf::bench::read_surface(arguments.mesh);
+  seconds["read"] = total.wall();
+  const mgf::MedialAxis axis = mgf::compute_medial_axis(surface);
+  add(axis.times);
+  const double cpu_before_geodesics = total.cpu();
+  const mgf::MedialGeodesicFunction function =
+      mgf::compute_medial_geodesic_function(axis, arguments.geodesics);
+  add(function.times);
+  const double cpu_of_geodesics = total.cpu() - cpu_before_geodesics;
+  const mgf::SkeletonOptions options;
+  const mgf::CurveSkeletonResult result =
+      mgf::compute_skeleton_hierarchy(axis, function.field, options);
+  add(result.times);
+  const mgf::CurveSkeleton skeleton =
+      mgf::skeleton_at(result.hierarchy, options.theta, options.prune);
+  seconds["total"] = total.wall();
+
+  const auto& certification = function.field.geodesics.certification;
+  const mgf::BettiNumbers betti = mgf::betti_numbers(skeleton);
+  return {
+      {"mesh", arguments.mesh},
+      {"vertices", surface.points.size()},
+      {"genus", axis.working.genus},
+      {"topology", word(axis.interior.certificate.topology)},
+      {"facets", axis.complex.facet_count()},
+      {"pairs", certification.size()},
+      {"proven", std::count(certification.begin(), certification.end(), Certification::kProven)},
+      {"nodes", skeleton.node_count()},
+      {"b0", betti.b0},
+      {"b1", betti.b1},
+      {"wall", seconds["total"]},
+      {"cpu", total.cpu()},
+      {"cpu_geodesics", cpu_of_geodesics},
+      {"seconds", seconds}};
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+  Arguments arguments;
+  try {
+    arguments = parse(count, values);
+  } catch (const std::exception&) {  // an unknown word, number or option: all are wrong usage
+    std::cerr << kUsage;
+    return 2;
+  }
+  return mgf::bench::report_line([&] { return measure(arguments); });
+}
