@@ -129,15 +129,15 @@ TEST(GeodesicsExactness, PruningChangesNothing) {
   for (const Index start : {0U, 17U, 100U, 200U}) {
     std::vector<PropagationTarget> targets;
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      if (v != start) targets.push_back({v, infinity});
+      if (v != start) targets.push_back({place_of_vertex(mesh, v), infinity});
     }
     WindowPropagation plain(mesh, {true, false, false});
-    ASSERT_TRUE(plain.run(start, targets));
+    ASSERT_TRUE(plain.run(place_of_vertex(mesh, start), targets));
     for (const PropagationPruning& pruning :
          {PropagationPruning{true, true, false}, PropagationPruning{true, true, true},
           PropagationPruning{true, false, true}}) {
       WindowPropagation pruned(mesh, pruning);
-      ASSERT_TRUE(pruned.run(start, targets));
+      ASSERT_TRUE(pruned.run(place_of_vertex(mesh, start), targets));
       for (std::size_t i = 0; i < targets.size(); ++i) {
         EXPECT_NEAR(pruned.distance(i), plain.distance(i), 1e-12 * plain.distance(i));
       }
@@ -152,15 +152,65 @@ TEST(GeodesicsExactness, VertexFiltersChangeNothing) {
   for (Index start = 0; start < mesh.vertex_count(); start += 7) {
     std::vector<PropagationTarget> targets;
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
-      if (v != start) targets.push_back({v, 4.0});
+      if (v != start) targets.push_back({place_of_vertex(mesh, v), 4.0});
     }
     WindowPropagation plain(mesh, {false, true, true});
     WindowPropagation filtered(mesh, {});
-    ASSERT_TRUE(plain.run(start, targets));
-    ASSERT_TRUE(filtered.run(start, targets));
+    ASSERT_TRUE(plain.run(place_of_vertex(mesh, start), targets));
+    ASSERT_TRUE(filtered.run(place_of_vertex(mesh, start), targets));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       EXPECT_NEAR(filtered.distance(i), plain.distance(i), 1e-12 * plain.distance(i));
     }
+  }
+}
+
+TEST(GeodesicsExactness, SkippingFlatVerticesChangesNothing) {
+  const TriangleSurface fine = midpoint_subdivided(midpoint_subdivided(bumpy_sphere(1, 0.4, 3)));
+  const HalfedgeMesh mesh = make_halfedge_mesh(fine);
+  EXPECT_LT(without_flat_vertices(fine).surface.points.size(), fine.points.size() / 8);
+  const std::vector<VertexPair> pairs = random_pairs(fine, 3000, 6);
+  PairPaths with = find_coherent_paths(mesh, pairs, {}, 1, {});
+  PairPaths without = with;
+  certify_paths(fine, mesh, pairs, 1, {PropagationPruning{}, true}, {}, with);
+  certify_paths(fine, mesh, pairs, 1, {PropagationPruning{}, false}, {}, without);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    EXPECT_EQ(with.certification[i], Certification::kProven);
+    EXPECT_EQ(without.certification[i], Certification::kProven);
+    EXPECT_NEAR(with.length[i], without.length[i], 1e-11 * with.length[i]);
+  }
+}
+
+TEST(GeodesicsExactness, FlatVerticesGoFromPlanesAndCreasesOnly) {
+  const TriangleSurface box = gridded_box(Vec3(2, 3, 4), 4, 6, 8);
+  const CoarseSurface coarse = without_flat_vertices(box);
+  EXPECT_EQ(coarse.surface.points.size(), 8U);
+  EXPECT_EQ(coarse.surface.triangles.size(), 12U);
+  const TriangleSurface round = bumpy_sphere(3, 0.1, 1);
+  EXPECT_EQ(without_flat_vertices(round).surface.points.size(), round.points.size());
+}
+
+TEST(GeodesicsExactness, LinksChangeNoLength) {
+  const TriangleSurface rough = bumpy_sphere(3, 0.2, 8);
+  const HalfedgeMesh mesh = make_halfedge_mesh(rough);
+  // All pairs of the first vertices, and all triangles between them.
+  std::vector<VertexPair> pairs;
+  std::map<std::pair<Index, Index>, Index> id;
+  for (Index a = 0; a < 40; ++a) {
+    for (Index b = a + 1; b < 40; ++b) {
+      id[{a, b}] = to_index(pairs.size());
+      pairs.push_back({a, b});
+    }
+  }
+  std::vector<std::array<Index, 3>> links;
+  for (Index u = 0; u < 40; ++u) {
+    for (Index v = u + 1; v < 40; ++v) {
+      for (Index w = v + 1; w < 40; w += 3) links.push_back({id[{u, v}], id[{v, w}], id[{u, w}]});
+    }
+  }
+  const PairGeodesics linked = compute_pair_geodesics(rough, pairs, links, {});
+  const PairGeodesics plain = solve(rough, pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    EXPECT_NEAR(linked.length[i], plain.length[i], 1e-11 * plain.length[i]);
   }
 }
 

@@ -4,47 +4,20 @@
 
 #include <array>
 #include <limits>
-#include <memory>
 #include <vector>
 
-#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/geodesics/coherent_paths.h"
 #include "vcg_ext/geodesics/corridor.h"
-#include "vcg_ext/geodesics/edge_paths.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
+#include "vcg_ext/geodesics/pair_paths.h"
 #include "vcg_ext/geodesics/path_certificate.h"
 
 namespace mgf {
 
 namespace detail {
-
-/// The shortest edge path of each pair, straightened within its corridor.
-inline PairPaths guess_paths(const HalfedgeMesh& mesh, const std::vector<VertexPair>& pairs,
-                             unsigned threads) {
-  PairPaths paths;
-  paths.length.assign(pairs.size(), std::numeric_limits<double>::infinity());
-  paths.corridor.resize(pairs.size());
-  paths.certification.assign(pairs.size(), Certification::kUnproven);
-  struct Workspace {
-    explicit Workspace(const HalfedgeMesh& mesh) : search(mesh), funnel(mesh) {}
-    EdgeSearch search;
-    Funnel funnel;
-  };
-  threads = thread_count(threads);
-  std::vector<std::unique_ptr<Workspace>> workspaces(threads);
-  parallel_for(pairs.size(), threads, 64, [&](std::size_t i, unsigned worker) {
-    auto& work = workspaces[worker];
-    if (!work) work = std::make_unique<Workspace>(mesh);
-    const auto [a, b] = pairs[i];
-    const std::vector<Index> vertices = work->search.run(a, b);
-    if (vertices.empty()) return;
-    paths.corridor[i] = corridor_of_vertices(mesh, vertices);
-    paths.length[i] = work->funnel.straighten(a, b, paths.corridor[i]);
-  });
-  return paths;
-}
 
 /// The answer from the paths: tangents from each path's first and last piece.
 inline PairGeodesics finish_geodesics(const HalfedgeMesh& mesh,
@@ -83,15 +56,14 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
                                             const std::vector<std::array<Index, 3>>& links,
                                             const GeodesicOptions& options,
                                             const Progress& progress = {}) {
-  (void)links;
   const HalfedgeMesh mesh = make_halfedge_mesh(surface);
-  progress.report(0.0, "Finding geodesics");
-  PairPaths paths = detail::guess_paths(mesh, pairs, options.threads);
+  PairPaths paths =
+      find_coherent_paths(mesh, pairs, links, options.threads, progress.slice(0.0, 0.3));
   if (options.wanted != Certification::kUnproven) {
-    certify_paths(mesh, pairs, options.threads, PropagationPruning{}, progress.slice(0.3, 0.95),
-                  paths);
+    certify_paths(surface, mesh, pairs, options.threads, CertificateOptions{},
+                  progress.slice(0.3, 0.95), paths);
   }
-  progress.report(0.95, "Finding geodesics");
+  progress.report(0.95, "Measuring geodesics");
   return detail::finish_geodesics(mesh, pairs, std::move(paths));
 }
 

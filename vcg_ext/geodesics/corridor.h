@@ -66,6 +66,8 @@ class Funnel {
   /// The path found: nodes from the start, over the bends, to the end.
   const std::vector<Index>& path() const { return path_; }
   const Node& node(Index i) const { return nodes_[i]; }
+  /// All vertices of the strip in the order they come up: the start, the border, the end.
+  Index node_count() const { return to_index(nodes_.size()); }
 
   /// Ends of the directed edge number k of the corridor in the flat strip.
   Vec2 left_of(Index k) const { return nodes_[ends_[k][0]].place; }

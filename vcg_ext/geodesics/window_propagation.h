@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact distances from one vertex to a few others by propagating windows over the surface
+// Exact distances from one point to a few others by propagating windows over the surface
 // (Chen & Han 1990; filters of Xin & Wang 2009), bounded by what is known of the targets.
 //
 // Notation. A window is an interval [left, right] of a directed edge h, in the frame of h, through
 // which straight paths from `source` (below the edge, y <= 0) enter the triangle of h; `offset` is
-// the distance at which that source itself lies from the start. A root is a vertex that paths
+// the distance at which that source itself lies from the start. A root is a point that paths
 // start from: the start, or a saddle that they bend at. The shadow of a saddle is the part of its
 // fan that a path may leave into with at least a half turn on both sides.
 #pragma once
@@ -17,6 +17,7 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
+#include "vcg_ext/geodesics/surface_place.h"
 
 namespace mgf {
 
@@ -27,9 +28,9 @@ struct PropagationPruning {
   bool ellipse = true;         ///< drop windows too far off to matter to any target
 };
 
-/// A vertex whose distance is asked, and the length of some path to it (infinity if none is known).
+/// A point whose distance is asked, and the length of some path to it (infinity if none is known).
 struct PropagationTarget {
-  Index vertex = kNone;
+  SurfacePlace place;
   double bound = std::numeric_limits<double>::infinity();
 };
 
@@ -47,13 +48,19 @@ class WindowPropagation {
         bucket_width_(0.5 * mesh.mean_edge),
         bound_(mesh.vertex_count(), kInfinity),
         slot_of_(mesh.vertex_count(), kNone),
+        first_in_(mesh.triangle_count(), kNone),
         last_root_(mesh.vertex_count(), kNone) {}
 
   /// Searches from `start` until every target's distance is certain. Returns false if the search
   /// was given up for its size; lengths found are then only upper bounds.
-  bool run(Index start, const std::vector<PropagationTarget>& targets) {
+  bool run(const SurfacePlace& start, const std::vector<PropagationTarget>& targets) {
     begin(targets);
-    add_root(start, 0.0, kNone, kNone, 0.0);
+    if (start.vertex != kNone) {
+      add_root(start.vertex, 0.0, kNone, kNone, 0.0);
+    } else {
+      roots_.push_back({0.0, 0.0, kNone, kNone, kNone});
+      spread_in_triangle(start);
+    }
     const bool complete = drain();
     end();
     return complete;
@@ -62,10 +69,11 @@ class WindowPropagation {
   /// Length of the path found to target i of the last run; infinity if there is none.
   double distance(std::size_t i) const { return targets_[i].distance; }
 
-  /// The path to target i of the last run as straight pieces in order. Requires a finite distance.
+  /// The path to target i of the last run as straight pieces in order. Requires a finite distance
+  /// and both ends at vertices.
   std::vector<PathPiece> pieces(std::size_t i) const {
     std::vector<PathPiece> path;
-    Index vertex = targets_[i].vertex;
+    Index vertex = targets_[i].place.vertex;
     Index window = targets_[i].window;
     Index root = targets_[i].root;
     while (true) {
@@ -107,10 +115,11 @@ class WindowPropagation {
     Index vertex, parent_window, parent_root;
   };
   struct Target {
-    Vec3 position;
+    SurfacePlace place;
     double bound;     ///< no window that only serves longer paths matters to this target
     double distance;  ///< of the best arrival
-    Index vertex, window, root;
+    Index window, root;
+    Index next;  ///< the next target in the same triangle, or kNone
   };
 
   double padded(double bound) const { return bound + tolerance_; }
@@ -120,10 +129,11 @@ class WindowPropagation {
     roots_.clear();
     targets_.clear();
     for (const PropagationTarget& target : targets) {
-      slot_of_[target.vertex] = to_index(targets_.size());
-      targets_.push_back(
-          {mesh_.points[target.vertex], target.bound, kInfinity, target.vertex, kNone, kNone});
-      lower_bound_at(target.vertex, target.bound);
+      const SurfacePlace& place = target.place;
+      Index& slot = place.vertex != kNone ? slot_of_[place.vertex] : first_in_[place.triangle];
+      targets_.push_back({place, target.bound, kInfinity, kNone, kNone, slot});
+      slot = to_index(targets_.size() - 1);
+      if (place.vertex != kNone) lower_bound_at(place.vertex, target.bound);
     }
     refresh_reach();
     current_bucket_ = 0;
@@ -131,7 +141,13 @@ class WindowPropagation {
   }
 
   void end() {
-    for (const Target& target : targets_) slot_of_[target.vertex] = kNone;
+    for (const Target& target : targets_) {
+      if (target.place.vertex != kNone) {
+        slot_of_[target.place.vertex] = kNone;
+      } else {
+        first_in_[target.place.triangle] = kNone;
+      }
+    }
     for (const Index v : touched_) {
       bound_[v] = kInfinity;
       last_root_[v] = kNone;
@@ -204,6 +220,11 @@ class WindowPropagation {
     }
   }
 
+  /// Whether a shorter path to the root has turned up since.
+  bool is_stale(const Root& root) const {
+    return root.vertex != kNone && root.offset > padded(bound_[root.vertex]);
+  }
+
   void add_root(Index v, double offset, Index window, Index root, double arrival) {
     if (root != kNone && pruning_.ellipse && !matters(mesh_.points[v], offset)) return;
     last_root_[v] = to_index(roots_.size());
@@ -215,7 +236,7 @@ class WindowPropagation {
   /// Whether a path that is `offset` long at p can still be as short as a target's bound.
   bool matters(const Vec3& p, double offset) const {
     for (const Target& target : targets_) {
-      if (offset + (target.position - p).norm() <= padded(target.bound)) return true;
+      if (offset + (target.place.position - p).norm() <= padded(target.bound)) return true;
     }
     return false;
   }
@@ -224,7 +245,7 @@ class WindowPropagation {
 
   void spread(Index root) {
     const Root at = roots_[root];  // a copy: arrivals add roots
-    if (at.offset > padded(bound_[at.vertex])) return;
+    if (is_stale(at)) return;
     const bool is_start = at.parent_root == kNone;
     const double turn = mesh_.total_angle[at.vertex];
     double from = 0.0;
@@ -253,6 +274,13 @@ class WindowPropagation {
       arrive(mesh_.head(h), offset + mesh_.halfedges[h].length, mesh_.direction[mesh_.opposite(h)],
              kNone, root);
     }
+    for (Index i = first_in_[triangle_of(h)]; i != kNone; i = targets_[i].next) {
+      const Vec2 place = in_frame_of(mesh_, h, targets_[i].place.at);
+      const double angle = std::atan2(place.y, place.x);
+      if (angle >= low - kAngleSlack && angle <= high + kAngleSlack) {
+        reach_target(targets_[i], offset + norm(place), kNone, root);
+      }
+    }
     const Index far = next_in_triangle(h);
     const Halfedge& side = mesh_.halfedges[far];
     const Vec2 source{side.length - side.apex.x, -side.apex.y};
@@ -272,14 +300,31 @@ class WindowPropagation {
     return std::clamp(along, 0.0, 1.0) * norm(far);
   }
 
+  /// All that the start in its triangle sees there.
+  void spread_in_triangle(const SurfacePlace& start) {
+    constexpr Index kStart = 0;
+    for (Index i = first_in_[start.triangle]; i != kNone; i = targets_[i].next) {
+      reach_target(targets_[i], norm(targets_[i].place.at - start.at), kNone, kStart);
+    }
+    for (Index h = 3 * start.triangle; h < 3 * start.triangle + 3; ++h) {
+      const Vec2 at = in_frame_of(mesh_, h, start.at);
+      arrive(mesh_.tail(h), norm(at), mesh_.direction[h] + std::atan2(at.y, at.x), kNone, kStart);
+    }
+    for (Index h = 3 * start.triangle; h < 3 * start.triangle + 3; ++h) {
+      const double length = mesh_.halfedges[h].length;
+      const Vec2 at = in_frame_of(mesh_, h, start.at);
+      const Vec2 source{length - at.x, std::min(0.0, -at.y)};
+      add_window({0.0, length, source, 0.0, mesh_.opposite(h), kNone, kStart}, kNone, source, true);
+    }
+  }
+
   // ---- windows across a triangle ----
 
   void propagate(Index id) {
     const Window w = windows_[id];
     const Index h = w.halfedge;
     const Halfedge& edge = mesh_.halfedges[h];
-    if (roots_[w.root].offset > padded(bound_[roots_[w.root].vertex])) return;
-    if (is_dominated(w)) return;
+    if (is_stale(roots_[w.root]) || is_dominated(w)) return;
 
     const Index left_side = previous_in_triangle(h);
     const Index right_side = next_in_triangle(h);
@@ -300,6 +345,14 @@ class WindowPropagation {
       const Vec2 back{-to_apex.x, -to_apex.y};
       const double turned = std::atan2(cross(down, back), dot(down, back));
       arrive(apex, w.offset + apex_distance, mesh_.direction[left_side] + turned, id, w.root);
+    }
+    for (Index i = first_in_[triangle_of(h)]; i != kNone; i = targets_[i].next) {
+      const Vec2 to_target = in_frame_of(mesh_, h, targets_[i].place.at) - w.source;
+      const double distance = norm(to_target);
+      if (cross(to_left, to_target) <= kAngleSlack * norm(to_left) * distance &&
+          cross(to_right, to_target) >= -kAngleSlack * norm(to_right) * distance) {
+        reach_target(targets_[i], w.offset + distance, id, w.root);
+      }
     }
     if (from_left < 0.0) add_left_child(id, w, to_left, to_right, from_right >= 0.0);
     if (from_right > 0.0) add_right_child(id, w, to_left, to_right, from_left <= 0.0);
@@ -348,7 +401,7 @@ class WindowPropagation {
     const double length = mesh_.halfedges[w.halfedge].length;
     if (w.right - w.left <= 1e-13 * length) return;
     if (is_dominated(w)) return;
-    if (pruning_.vertex_filters) {
+    if (pruning_.vertex_filters && third != kNone) {
       // The segment from the third vertex to the window's far end crosses all of its rays.
       const Vec2 end{third_is_right ? w.left : w.right, 0.0};
       if (padded(bound_[third] + norm(end - third_place)) < w.offset + norm(end - w.source)) return;
@@ -389,7 +442,7 @@ class WindowPropagation {
   bool serves(const Window& w, const Vec3& tail, const Vec3& axis, const Target& target) const {
     // Turn the target about the edge's line until it lies flat beyond the edge: the shortest way
     // through the window is the straight one, or bends at an end.
-    const Vec3 arm = target.position - tail;
+    const Vec3 arm = target.place.position - tail;
     const Vec2 place{axis.dot(arm), axis.cross(arm).norm()};
     const double drop = place.y - w.source.y;
     const double straight =
@@ -404,6 +457,7 @@ class WindowPropagation {
   double bucket_width_;
   std::vector<double> bound_;     ///< one per vertex: length of some path from the start
   std::vector<Index> slot_of_;    ///< one per vertex: which target it is, or kNone
+  std::vector<Index> first_in_;   ///< one per triangle: the first target in it, or kNone
   std::vector<Index> last_root_;  ///< one per vertex: the last root put there
   std::vector<Index> touched_;    ///< vertices with a bound
   std::vector<Window> windows_;

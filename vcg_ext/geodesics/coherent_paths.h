@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Locally shortest paths for all pairs, each carried over from a neighbour's path.
+//
+// Pairs are neighbours if they share an end and their other ends are near each other: the path of
+// one, led on to the other's end and shortened, is a good path for the other. Starting from pairs
+// that are close on the surface, paths spread in the order of their length, and again from each
+// pair whose path got shorter. This carries the class of the path (which way round it goes) along
+// the medial axis at the cost of a corridor's length a trial.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+#include "vcg_ext/core/parallel.h"
+#include "vcg_ext/core/progress.h"
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/geodesics/corridor.h"
+#include "vcg_ext/geodesics/edge_paths.h"
+#include "vcg_ext/geodesics/halfedge_mesh.h"
+#include "vcg_ext/geodesics/pair_geodesics.h"
+#include "vcg_ext/geodesics/pair_paths.h"
+#include "vcg_ext/geodesics/path_shortening.h"
+
+namespace mgf {
+
+namespace detail {
+
+/// The spreading of paths. Rounds are double-buffered: a trial reads only what was there when the
+/// round began and writes only its own pair, so the threads' number and order change nothing.
+class CoherentPaths {
+ public:
+  CoherentPaths(const HalfedgeMesh& mesh, const std::vector<VertexPair>& pairs,
+                const std::vector<std::array<Index, 3>>& links, unsigned threads)
+      : mesh_(mesh),
+        pairs_(pairs),
+        links_(links),
+        threads_(thread_count(threads)),
+        paths_(pairs.size()),
+        tangents_(pairs.size()),
+        changed_in_(pairs.size(), kNone),
+        asked_in_(pairs.size(), kNone),
+        workspaces_(threads_) {
+    link_pairs();
+  }
+
+  PairPaths run(const Progress& progress) {
+    start_from_close_pairs();
+    do {
+      spread(progress);
+    } while (start_from_far_pairs());
+    return std::move(paths_);
+  }
+
+ private:
+  struct Workspace {
+    explicit Workspace(const HalfedgeMesh& mesh) : search(mesh), shortener(mesh) {}
+    EdgeSearch search;
+    PathShortener shortener;
+  };
+  /// A path found for a pair in this round.
+  struct Candidate {
+    double length = std::numeric_limits<double>::infinity();
+    std::vector<Index> corridor;
+    std::array<Vec3, 2> tangents;
+  };
+
+  Workspace& workspace(unsigned worker) {
+    if (!workspaces_[worker]) workspaces_[worker] = std::make_unique<Workspace>(mesh_);
+    return *workspaces_[worker];
+  }
+
+  void link_pairs() {
+    std::vector<Index> owner;
+    for (const std::array<Index, 3>& link : links_) {
+      for (const Index pair : link) owner.push_back(pair);
+    }
+    pair_links_ = group_by_key(owner, pairs_.size());
+    for (Index& item : pair_links_.items) item /= 3;
+  }
+
+  // ---- first paths ----
+
+  /// Pairs joined by an edge, or by two edges.
+  void start_from_close_pairs() {
+    candidates_.assign(pairs_.size(), {});
+    parallel_for(pairs_.size(), threads_, 256, [&](std::size_t i, unsigned worker) {
+      const auto [a, b] = pairs_[i];
+      if (mesh_.outgoing[a] == kNone || mesh_.outgoing[b] == kNone) return;
+      const std::vector<Index> vertices = short_edge_path(a, b);
+      if (vertices.empty()) return;
+      try_corridor(pairs_[i], corridor_of_vertices(mesh_, vertices), workspace(worker),
+                   candidates_[i]);
+    });
+    std::vector<Index> all(pairs_.size());
+    std::iota(all.begin(), all.end(), 0U);
+    accept(all);
+  }
+
+  /// Along at most two edges, or nothing.
+  std::vector<Index> short_edge_path(Index a, Index b) const {
+    if (find_halfedge(mesh_, a, b) != kNone) return {a, b};
+    std::vector<Index> best;
+    double best_length = std::numeric_limits<double>::infinity();
+    Index h = mesh_.outgoing[a];
+    do {
+      const Index middle = mesh_.head(h);
+      const Index on = find_halfedge(mesh_, middle, b);
+      if (on != kNone) {
+        const double length = mesh_.halfedges[h].length + mesh_.halfedges[on].length;
+        if (length < best_length) best = {a, middle, b};
+        best_length = std::min(best_length, length);
+      }
+      h = mesh_.rotated(h);
+    } while (h != mesh_.outgoing[a]);
+    return best;
+  }
+
+  /// Searches along edges for the nearest of the pairs that nothing has reached. False if all have
+  /// been tried.
+  bool start_from_far_pairs() {
+    std::vector<std::pair<double, Index>> waiting;
+    for (Index i = 0; i < pairs_.size(); ++i) {
+      if (!paths_.has(i) && asked_in_[i] != kSearched) {
+        waiting.emplace_back((mesh_.points[pairs_[i].a] - mesh_.points[pairs_[i].b]).norm(), i);
+      }
+    }
+    if (waiting.empty()) return false;
+    std::sort(waiting.begin(), waiting.end());
+    waiting.resize(
+        std::max<std::size_t>(std::min<std::size_t>(waiting.size(), 64), waiting.size() / 8));
+    std::vector<Index> chosen;
+    for (const auto& [distance, pair] : waiting) chosen.push_back(pair);
+    candidates_.assign(chosen.size(), {});
+    parallel_for(chosen.size(), threads_, 8, [&](std::size_t i, unsigned worker) {
+      const VertexPair& pair = pairs_[chosen[i]];
+      Workspace& work = workspace(worker);
+      const std::vector<Index> vertices = work.search.run(pair.a, pair.b);
+      if (vertices.empty()) return;
+      try_corridor(pair, corridor_of_vertices(mesh_, vertices), work, candidates_[i]);
+    });
+    for (const Index pair : chosen) asked_in_[pair] = kSearched;
+    accept(chosen);
+    return true;
+  }
+
+  // ---- rounds ----
+
+  /// Lets all changed paths spread, the shorter ones first, until nothing gets shorter.
+  void spread(const Progress& progress) {
+    for (std::size_t bucket = 0; bucket < buckets_.size(); ++bucket) {
+      progress.report(static_cast<double>(bucket) / static_cast<double>(buckets_.size()),
+                      "Carrying geodesics on");
+      while (!buckets_[bucket].empty()) {
+        active_ = std::move(buckets_[bucket]);
+        buckets_[bucket].clear();
+        ++round_;
+        for (const Index pair : active_) changed_in_[pair] = round_;
+        const std::vector<Index> asked = neighbours_of_active();
+        candidates_.assign(asked.size(), {});
+        const std::size_t chunk = 16;
+        parallel_for(asked.size(), asked.size() < 16 * chunk ? 1 : threads_, chunk,
+                     [&](std::size_t i, unsigned worker) {
+                       try_neighbours(asked[i], workspace(worker), candidates_[i]);
+                     });
+        accept(asked, bucket);
+      }
+    }
+    buckets_.clear();
+  }
+
+  std::vector<Index> neighbours_of_active() {
+    std::vector<Index> asked;
+    for (const Index pair : active_) {
+      for (const Index link : pair_links_[pair]) {
+        for (const Index other : links_[link]) {
+          if (other == kNone || other == pair || asked_in_[other] == round_) continue;
+          asked_in_[other] = round_;
+          asked.push_back(other);
+        }
+      }
+    }
+    std::sort(asked.begin(), asked.end());
+    return asked;
+  }
+
+  /// Tries the paths of all neighbours that have changed.
+  void try_neighbours(Index pair, Workspace& work, Candidate& best) const {
+    for (const Index link : pair_links_[pair]) {
+      for (std::size_t side = 0; side < 3; ++side) {
+        const Index from = links_[link][side];
+        if (from == kNone || from == pair || changed_in_[from] != round_) continue;
+        Index third = kNone;
+        for (const Index other : links_[link]) {
+          if (other != pair && other != from) third = other;
+        }
+        try_neighbour(pair, from, third, work, best);
+      }
+    }
+  }
+
+  void try_neighbour(Index pair, Index from, Index third, Workspace& work, Candidate& best) const {
+    const VertexPair& goal = pairs_[pair];
+    const VertexPair& known = pairs_[from];
+    const bool shares_a = goal.a == known.a || goal.a == known.b;
+    const Index shared = shares_a ? goal.a : goal.b;
+    const Index moved = known.a == shared ? known.b : known.a;
+    const Index end = shares_a ? goal.b : goal.a;
+    const double step = (mesh_.points[moved] - mesh_.points[end]).norm();
+    const double value = std::min(best.length, paths_.length[pair]);
+    if (paths_.length[from] - 1.2 * step >= value) return;
+    if (paths_.has(pair) && leave_alike(pair, from, shared, step)) return;
+
+    PathPiece across{moved, end, {}};
+    if (find_halfedge(mesh_, moved, end) != kNone) {
+      // along the edge
+    } else if (third != kNone && paths_.has(third)) {
+      across.crossed = oriented(third, moved);
+    } else {
+      const std::vector<Index> vertices = work.search.run(moved, end, 32);
+      if (vertices.empty()) return;
+      across.crossed = corridor_of_vertices(mesh_, vertices);
+      if (across.crossed.empty()) return;
+    }
+    std::vector<Index> corridor =
+        corridor_of_pieces(mesh_, {{shared, moved, oriented(from, shared)}, across});
+    if (!shares_a) corridor = reversed_corridor(mesh_, corridor);
+    try_corridor(goal, std::move(corridor), work, best);
+  }
+
+  /// Whether two paths leave their common end so alike that they are of one class.
+  bool leave_alike(Index pair, Index from, Index shared, double step) const {
+    const Vec3& mine = tangents_[pair][pairs_[pair].a == shared ? 0 : 1];
+    const Vec3& other = tangents_[from][pairs_[from].a == shared ? 0 : 1];
+    const double sine = std::max(0.05, 1.1 * step / paths_.length[from]);
+    return mine.dot(other) > 0.0 && mine.cross(other).norm() <= sine;
+  }
+
+  std::vector<Index> oriented(Index pair, Index start) const {
+    return pairs_[pair].a == start ? paths_.corridor[pair]
+                                   : reversed_corridor(mesh_, paths_.corridor[pair]);
+  }
+
+  static void try_corridor(const VertexPair& pair, std::vector<Index> corridor, Workspace& work,
+                           Candidate& best) {
+    const double length = work.shortener.shorten(pair.a, pair.b, corridor);
+    if (!(length < best.length)) return;
+    best.length = length;
+    const Funnel& funnel = work.shortener.funnel();
+    best.tangents = {funnel.tangent_at_start(pair.a, pair.b, corridor),
+                     funnel.tangent_at_end(pair.a, pair.b, corridor)};
+    best.corridor = std::move(corridor);
+  }
+
+  /// Takes over the candidates that are shorter, and queues their pairs, at `least` or later.
+  void accept(const std::vector<Index>& asked, std::size_t least = 0) {
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+      const Index pair = asked[i];
+      Candidate& found = candidates_[i];
+      if (!(found.length < paths_.length[pair] * (1.0 - 1e-9))) continue;
+      paths_.length[pair] = found.length;
+      paths_.corridor[pair] = std::move(found.corridor);
+      tangents_[pair] = found.tangents;
+      const double position = std::min(found.length / mesh_.mean_edge, 1e6);
+      const std::size_t bucket = std::max(least, static_cast<std::size_t>(position));
+      if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+      buckets_[bucket].push_back(pair);
+    }
+  }
+
+  static constexpr Index kSearched = kNone - 1;
+
+  const HalfedgeMesh& mesh_;
+  const std::vector<VertexPair>& pairs_;
+  const std::vector<std::array<Index, 3>>& links_;
+  unsigned threads_;
+  Rows<Index> pair_links_;  ///< one row per pair: the links that it is in
+  PairPaths paths_;
+  std::vector<std::array<Vec3, 2>> tangents_;  ///< one per pair, at a and at b
+  std::vector<Index> changed_in_;              ///< one per pair: last round that it was active in
+  std::vector<Index> asked_in_;                ///< one per pair: last round that it was tried in
+  Index round_ = 0;
+  std::vector<std::vector<Index>> buckets_;  ///< changed pairs by length
+  std::vector<Index> active_;
+  std::vector<Candidate> candidates_;
+  std::vector<std::unique_ptr<Workspace>> workspaces_;
+};
+
+}  // namespace detail
+
+/// A locally shortest path for each pair (no path where its ends are on different shells), nearly
+/// always a shortest one. See compute_pair_geodesics for `links`.
+inline PairPaths find_coherent_paths(const HalfedgeMesh& mesh, const std::vector<VertexPair>& pairs,
+                                     const std::vector<std::array<Index, 3>>& links,
+                                     unsigned threads, const Progress& progress) {
+  return detail::CoherentPaths(mesh, pairs, links, threads).run(progress);
+}
+
+}  // namespace mgf
