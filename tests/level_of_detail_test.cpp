@@ -28,6 +28,7 @@ void add_edge(CurveSkeleton& skeleton, Index from, Index to, double birth = kAlw
   skeleton.eccentricity.push_back(eccentricity);
   skeleton.theta_birth.push_back(birth);
   skeleton.contacts.push_back({0, 1, 2});
+  skeleton.outside.push_back(0);
 }
 
 /// Adds a straight chain of unit edges from `start`; returns its last node.

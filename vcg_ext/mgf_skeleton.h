@@ -105,6 +105,28 @@ inline void warn_of_topology(const TopologyCertificate& certificate, Warnings& w
   }
 }
 
+/// Treats as displaced the Voronoi vertices that lie outside T because flips have put T' there.
+/// Only tetrahedra at faces of T' that are none of T can hold such a vertex's centroid.
+inline void discard_vertices_outside(const SurfaceTree& tree, const TriangleSurface& surface,
+                                     const InteriorTetrahedra& interior, MedialComplex& complex) {
+  const PairTable edges = surface_edges(surface.triangles);
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+    const Tetrahedron& corners = interior.tetrahedra[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (interior.neighbours[t][i] != kNone) continue;
+      const Index a = corners[(i + 1) % 4];
+      const Index b = corners[(i + 2) % 4];
+      const Index c = corners[(i + 3) % 4];
+      const bool of_input =
+          edges.find(a, b) != kNone && edges.find(b, c) != kNone && edges.find(c, a) != kNone;
+      if (of_input) continue;
+      if (!tree.inside(complex.position[t]) || !tree.inside(tetrahedron_centroid(interior, t))) {
+        complex.displaced[t] = 1;
+      }
+    }
+  }
+}
+
 /// Whether segments stay inside the region of positive winding number of a surface.
 inline SegmentInside inside_test(const SurfaceTree& tree, bool self_intersecting) {
   return [&tree, self_intersecting](const Vec3& a, const Vec3& b) {
@@ -157,6 +179,8 @@ inline MedialAxis compute_medial_axis(const TriangleSurface& input,
   axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
   axis.complex = build_medial_complex(axis.interior);
   place_voronoi_vertices(axis.interior, axis.complex);
+  const SurfaceTree tree(axis.working.surface);
+  detail::discard_vertices_outside(tree, axis.surface.surface, axis.interior, axis.complex);
   detail::warn_of_topology(axis.interior.certificate, axis.warnings);
   clock.finish("medial_complex", axis.times);
   progress.report(1.0, "Medial complex");
@@ -206,10 +230,6 @@ inline CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
                               "are now " +
                               detail::to_text(hierarchy.betti) + ", the interior's are " +
                               detail::to_text(axis.interior.certificate.betti) + "."});
-  }
-  if (hierarchy.outside_edges > 0) {
-    result.warnings.push_back({"outside_edges", std::to_string(hierarchy.outside_edges) +
-                                                    " skeleton edges leave the shape."});
   }
   progress.report(1.0, "Erosion");
   return result;

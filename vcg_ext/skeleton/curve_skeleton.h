@@ -23,13 +23,14 @@ struct CurveSkeleton {
 
   // One per edge.
   std::vector<std::array<Index, 2>> edge;
-  std::vector<double> mgf;           ///< largest MGF of the Voronoi edge's facets
-  std::vector<double> girth;         ///< g(E), length of the geodesic circle
-  std::vector<double> circumference; ///< c(E), length of the dual triangle's circumcircle
-  std::vector<double> eccentricity;  ///< e(E) = g(E) / c(E)
-  std::vector<double> theta_birth;   ///< the edge is in the skeleton for every theta above this
-  std::vector<Index> voronoi_edge;   ///< in the medial complex
-  std::vector<Triangle> contacts;    ///< corners of the dual triangle
+  std::vector<double> mgf;            ///< largest MGF of the Voronoi edge's facets
+  std::vector<double> girth;          ///< g(E), length of the geodesic circle
+  std::vector<double> circumference;  ///< c(E), length of the dual triangle's circumcircle
+  std::vector<double> eccentricity;   ///< e(E) = g(E) / c(E)
+  std::vector<double> theta_birth;    ///< the edge is in the skeleton for every theta above this
+  std::vector<Index> voronoi_edge;    ///< in the medial complex
+  std::vector<Triangle> contacts;     ///< corners of the dual triangle
+  std::vector<char> outside;          ///< 1 where the edge does not lie inside the shape
 
   std::size_t node_count() const { return position.size(); }
   std::size_t edge_count() const { return edge.size(); }

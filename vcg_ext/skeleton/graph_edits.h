@@ -37,8 +37,7 @@ inline Index other_end(const CurveSkeleton& skeleton, Index edge, Index node) {
 
 /// The part of a skeleton with the given nodes and edges, renumbered in order. Every end of a kept
 /// edge must be kept. `new_number`, if given, takes the new number of each node, or kNone.
-inline CurveSkeleton sub_skeleton(const CurveSkeleton& skeleton,
-                                  const std::vector<char>& keep_node,
+inline CurveSkeleton sub_skeleton(const CurveSkeleton& skeleton, const std::vector<char>& keep_node,
                                   const std::vector<char>& keep_edge,
                                   std::vector<Index>* new_number = nullptr) {
   CurveSkeleton part;
@@ -61,6 +60,7 @@ inline CurveSkeleton sub_skeleton(const CurveSkeleton& skeleton,
     part.theta_birth.push_back(skeleton.theta_birth[e]);
     part.voronoi_edge.push_back(skeleton.voronoi_edge[e]);
     part.contacts.push_back(skeleton.contacts[e]);
+    part.outside.push_back(skeleton.outside[e]);
   }
   if (new_number != nullptr) *new_number = std::move(number);
   return part;

@@ -23,11 +23,10 @@ namespace mgf {
 /// Whether the straight segment between two points stays inside the shape.
 using SegmentInside = std::function<bool(const Vec3&, const Vec3&)>;
 
-/// A curve skeleton, and how much of it could not be drawn inside the shape.
+/// A curve skeleton as drawn.
 struct SkeletonDrawing {
   CurveSkeleton skeleton;
   std::vector<Index> last_nodes;  ///< per tree component, the node left when every edge is gone
-  Index outside_edges = 0;        ///< graph edges that still leave the shape
 };
 
 namespace detail {
@@ -108,8 +107,8 @@ class SkeletonDrawer {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index facet = complex_.edge_facets[e][i];
       if (facet != kNone) of_facets = std::max(of_facets, field_.mgf[facet]);
-      of_sides = std::max(of_sides, geodesic_distance(field_, surface_points_, dual[i],
-                                                      dual[(i + 1) % 3]));
+      of_sides = std::max(of_sides,
+                          geodesic_distance(field_, surface_points_, dual[i], dual[(i + 1) % 3]));
     }
     return of_facets > 0.0 ? of_facets : of_sides;
   }
@@ -122,8 +121,8 @@ class SkeletonDrawer {
     for (std::size_t i = 0; i < 3; ++i) {
       measures.girth += geodesic_distance(field_, surface_points_, dual[i], dual[(i + 1) % 3]);
     }
-    measures.circumference = circumcircle_length(
-        surface_points_[dual[0]], surface_points_[dual[1]], surface_points_[dual[2]]);
+    measures.circumference = circumcircle_length(surface_points_[dual[0]], surface_points_[dual[1]],
+                                                 surface_points_[dual[2]]);
     measures.eccentricity = measures.girth / measures.circumference;
     return measures;
   }
@@ -161,7 +160,6 @@ class SkeletonDrawer {
 
   void add_edge(Index from, Index to, Index voronoi_edge, const EdgeMeasures& measures) {
     CurveSkeleton& skeleton = drawing_.skeleton;
-    if (!inside_(skeleton.position[from], skeleton.position[to])) ++drawing_.outside_edges;
     skeleton.edge.push_back({from, to});
     skeleton.mgf.push_back(measures.mgf);
     skeleton.girth.push_back(measures.girth);
@@ -170,6 +168,7 @@ class SkeletonDrawer {
     skeleton.theta_birth.push_back(measures.theta_birth);
     skeleton.voronoi_edge.push_back(voronoi_edge);
     skeleton.contacts.push_back(complex_.edge_contacts[voronoi_edge]);
+    skeleton.outside.push_back(0);
   }
 
   const InteriorTetrahedra& interior_;
@@ -184,11 +183,19 @@ class SkeletonDrawer {
 
 }  // namespace detail
 
+/// Tests every edge of the skeleton and notes in `outside` which ones leave the shape.
+inline void test_edges_inside(const SegmentInside& segment_inside, CurveSkeleton& skeleton) {
+  for (std::size_t e = 0; e < skeleton.edge_count(); ++e) {
+    const auto& ends = skeleton.edge[e];
+    const bool inside = segment_inside(skeleton.position[ends[0]], skeleton.position[ends[1]]);
+    skeleton.outside[e] = inside ? 0 : 1;
+  }
+}
+
 /// The live cells of the eroded complex as a graph inside the shape. `surface_points` are the
 /// points of the surface that geodesics ran on, numbered as the contacts.
 inline SkeletonDrawing draw_skeleton(const InteriorTetrahedra& interior,
-                                     const MedialComplex& complex,
-                                     const MedialGeodesicField& field,
+                                     const MedialComplex& complex, const MedialGeodesicField& field,
                                      const std::vector<Vec3>& surface_points,
                                      const ErodedComplex& eroded, const ThetaBirths& births,
                                      const SegmentInside& segment_inside) {

@@ -2,7 +2,7 @@
 // Marking, erosion and drawing in one go: the skeleton at every theta (paper, sections 5.3 to 5.5).
 #pragma once
 
-#include <string>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -31,7 +31,8 @@ inline constexpr double kStrictestTheta = -1.1;
 /// Which edges make the skeleton, and how it is shown.
 struct SkeletonOptions {
   double theta = -0.7;  ///< divergence threshold of the marking, in [-1.1, 0]; smaller: less detail
-  double prune = 0.75;  ///< significance below which a leaf branch is dropped; 0: the paper's output
+  double prune =
+      0.75;  ///< significance below which a leaf branch is dropped; 0: the paper's output
   MarkingRule marking_rule = MarkingRule::kAll;
   bool open_pockets = false;  ///< open a closed pocket of the medial axis at its lowest MGF
 };
@@ -42,7 +43,6 @@ struct SkeletonHierarchy {
   std::vector<Index> last_nodes;  ///< of `full`: what remains of each tree when every mark is gone
   Index residual_facets = 0;      ///< facets that no collapse could reach: a closed pocket
   Index pockets_opened = 0;       ///< facets given up by `open_pockets`, each a change of homotopy
-  Index outside_edges = 0;        ///< graph edges that leave the shape
   BettiNumbers betti;             ///< of `full` (b2: always 0); equal to the interior's unless
                                   ///< facets are left or pockets were opened
 };
@@ -62,13 +62,22 @@ inline BettiNumbers betti_numbers(const CurveSkeleton& skeleton) {
   return betti;
 }
 
-/// Marks at the loosest theta, erodes once, and draws what is left. `surface_points` are numbered as
-/// the contacts; `scale` is a length of the size of the shape (its diagonal).
-inline SkeletonHierarchy build_skeleton_hierarchy(
-    const InteriorTetrahedra& interior, const MedialComplex& complex,
-    const MedialGeodesicField& field, const std::vector<Vec3>& surface_points, double scale,
-    const SkeletonOptions& options, const SegmentInside& segment_inside) {
-  constexpr double kMergeShare = 1e-9;  // of `scale`: Voronoi vertices that are one but for rounding
+/// How many edges leave the shape.
+inline Index count_outside_edges(const CurveSkeleton& skeleton) {
+  return to_index(static_cast<std::size_t>(
+      std::count(skeleton.outside.begin(), skeleton.outside.end(), char{1})));
+}
+
+/// Marks at the loosest theta, erodes once, and draws what is left. `surface_points` are numbered
+/// as the contacts; `scale` is a length of the size of the shape (its diagonal).
+inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& interior,
+                                                  const MedialComplex& complex,
+                                                  const MedialGeodesicField& field,
+                                                  const std::vector<Vec3>& surface_points,
+                                                  double scale, const SkeletonOptions& options,
+                                                  const SegmentInside& segment_inside) {
+  constexpr double kMergeShare =
+      1e-9;  // of `scale`: Voronoi vertices that are one but for rounding
   const ErosionOrder order = order_cells(complex, field.mgf, surface_points);
   const std::vector<double> score = divergence_scores(complex, field, surface_points);
   const std::vector<Index> marks =
@@ -76,18 +85,18 @@ inline SkeletonHierarchy build_skeleton_hierarchy(
   const ErodedComplex eroded =
       Erosion(complex, order, field.mgf).run(marks, score, options.open_pockets);
   const ThetaBirths births = compute_theta_births(complex, eroded, order, kLoosestTheta);
-  SkeletonDrawing drawing = draw_skeleton(interior, complex, field, surface_points, eroded, births,
-                                          segment_inside);
+  SkeletonDrawing drawing =
+      draw_skeleton(interior, complex, field, surface_points, eroded, births, segment_inside);
 
   SkeletonHierarchy hierarchy;
   std::vector<Index> new_number;
   hierarchy.full = contract_short_edges(drawing.skeleton, kMergeShare * scale, new_number);
   fill_undefined_eccentricity(hierarchy.full);
   average_eccentricity(hierarchy.full);
+  test_edges_inside(segment_inside, hierarchy.full);
   for (const Index node : drawing.last_nodes) hierarchy.last_nodes.push_back(new_number[node]);
   hierarchy.residual_facets = eroded.residual_facets;
   hierarchy.pockets_opened = eroded.pockets_opened;
-  hierarchy.outside_edges = drawing.outside_edges;
   hierarchy.betti = betti_numbers(hierarchy.full);
   return hierarchy;
 }
