@@ -4,6 +4,7 @@
 import json
 import math
 import os
+import signal
 import statistics
 import subprocess
 import sys
@@ -66,6 +67,8 @@ def run(command, limit):
                                 check=False)
     except subprocess.TimeoutExpired:
         return {"failed": f"more than {limit:g} s", "load": load}
+    if result.returncode < 0:
+        return {"failed": signal.Signals(-result.returncode).name, "load": load}
     if result.returncode != 0:
         reason = result.stderr.strip().splitlines() or [f"status {result.returncode}"]
         return {"failed": reason[-1], "load": load}

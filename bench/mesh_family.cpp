@@ -72,10 +72,11 @@ void subdivide(const std::string& rule, std::size_t steps, Mesh& mesh) {
 
 void decimate(std::size_t vertices, Mesh& mesh) {
   namespace simplification = CGAL::Surface_mesh_simplification;
-  // A collapse takes a vertex and, on a closed surface, three edges.
+  // A collapse takes a vertex and, on a closed surface, three edges; it goes on until there are
+  // fewer edges than the predicate says.
   const std::size_t all = mesh.number_of_vertices();
   const std::size_t surplus = all - std::min(vertices, all);
-  const std::size_t edges = mesh.number_of_edges() - 3 * surplus;
+  const std::size_t edges = mesh.number_of_edges() - 3 * surplus + 1;
   simplification::edge_collapse(mesh, simplification::Count_stop_predicate<Mesh>(edges));
   mesh.collect_garbage();
 }
