@@ -96,9 +96,10 @@ void append_polygon(FileMesh& mesh, const std::vector<std::int64_t>& corners) {
   std::vector<Point> polygon;
   polygon.reserve(corners.size());
   for (const std::int64_t corner : corners) {
-    if (corner < 0 || corner >= static_cast<std::int64_t>(mesh.points.size()))
+    if (corner < 0 || corner >= static_cast<std::int64_t>(mesh.points.size())) {
       throw FileError("a face names vertex " + std::to_string(corner) + ", but there are only " +
                       std::to_string(mesh.points.size()) + " (numbered from 0)");
+    }
     polygon.push_back(mesh.points[static_cast<std::size_t>(corner)]);
   }
   const auto vertex = [&](std::size_t i) { return static_cast<std::uint32_t>(corners[i]); };

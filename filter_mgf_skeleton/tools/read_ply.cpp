@@ -172,9 +172,11 @@ std::vector<std::vector<std::int64_t>> read_faces(const Element& element, const 
 }
 
 void skip_element(const Element& element, const NextNumber& next) {
-  for (std::size_t i = 0; i < element.count; ++i)
-    for (const Property& property : element.properties)
+  for (std::size_t i = 0; i < element.count; ++i) {
+    for (const Property& property : element.properties) {
       for (std::size_t left = list_length(property, next); left > 0; --left) next(property.type);
+    }
+  }
 }
 
 bool has_property(const Element& element, std::string_view name) {
