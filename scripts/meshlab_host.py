@@ -9,6 +9,7 @@ import contextlib
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -46,7 +47,9 @@ class _Children:
         self._processes = set()
         self._stopped = False
 
-    def start(self, command, **options):
+    @contextlib.contextmanager
+    def running(self, command, **options):
+        """A process that doesn't outlive the context. Throws Interrupted when it was stopped."""
         with self._lock:
             if self._stopped:
                 raise Interrupted()
@@ -57,20 +60,28 @@ class _Children:
                 **options,
             )
             self._processes.add(process)
-            return process
-
-    def finish(self, process):
-        with self._lock:
-            self._processes.discard(process)
-            if self._stopped:
-                raise Interrupted()
+        try:
+            yield process
+        finally:
+            _kill(process)
+            process.wait()
+            with self._lock:
+                self._processes.discard(process)
+        if self._stopped:
+            raise Interrupted()
 
     def stop(self):
         with self._lock:
             self._stopped = True
             for process in self._processes:
-                with contextlib.suppress(ProcessLookupError):
-                    os.killpg(process.pid, signal.SIGKILL)
+                _kill(process)
+
+
+def _kill(process):
+    """Ends a process with all its children; does nothing when it has ended."""
+    if process.poll() is None:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
 
 
 _children = _Children()
@@ -79,39 +90,35 @@ stop_all = _children.stop
 
 def run(command, **options):
     """The output of a command, standard error included, and its exit status."""
-    process = _children.start(
+    with _children.running(
         command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options
-    )
-    output, _ = process.communicate()
-    _children.finish(process)
+    ) as process:
+        output, _ = process.communicate()
     return output.decode(errors="replace"), process.returncode
 
 
 @contextlib.contextmanager
 def display(size="1280x960"):
     """A display that nobody sees, for as long as the context lasts; gives its name."""
+    if shutil.which("Xvfb") is None:
+        raise HostError("there is no Xvfb; run scripts/setup first")
     reader, writer = os.pipe()
-    try:
-        server = _children.start(
-            ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{size}x24", "-nolisten", "tcp"],
-            pass_fds=[writer],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-    except FileNotFoundError:
-        raise HostError("there is no Xvfb; run scripts/setup first") from None
-    finally:
+    with _children.running(
+        ["Xvfb", "-displayfd", str(writer), "-screen", "0", f"{size}x24", "-nolisten", "tcp"],
+        pass_fds=[writer],
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    ) as server:
         os.close(writer)
-    try:
         with os.fdopen(reader) as pipe:
             number = pipe.readline().strip()
         if not number:
             raise HostError("Xvfb does not start")
-        yield f":{number}"
-    finally:
-        server.terminate()
-        server.wait()
-        _children.finish(server)
+        try:
+            yield f":{number}"
+        finally:
+            server.terminate()  # so that it takes its lock file away
+            server.wait()
 
 
 def environment(display_name, settings):

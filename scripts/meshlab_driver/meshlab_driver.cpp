@@ -216,7 +216,7 @@ bool MeshlabDriver::run(const QStringList& words, QJsonObject& seen) {
   } else if (command == "grab") {
     grab(argument);
   } else if (command == "quit") {
-    QMetaObject::invokeMethod(qApp, &QCoreApplication::quit, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(qApp, "quit", Qt::QueuedConnection);
   } else {
     fail("no such command");
   }
