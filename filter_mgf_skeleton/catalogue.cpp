@@ -94,7 +94,7 @@ const Parameter& marking_rule() {
   static const Parameter parameter{
       "markingRule",
       ParameterKind::kChoice,
-      SkeletonOptions{}.one_mark_per_facet ? 1.0 : 0.0,
+      static_cast<double>(SkeletonOptions{}.marking_rule),
       0,
       1,
       {"Every qualifying edge", "One edge per facet"},
@@ -150,7 +150,7 @@ const Parameter& ignore_cavities() {
   static const Parameter parameter{
       "ignoreCavities",
       ParameterKind::kSwitch,
-      MedialAxisOptions{}.ignore_cavities ? 1.0 : 0.0,
+      DiagnosisOptions{}.ignore_cavities ? 1.0 : 0.0,
       0,
       1,
       {},
@@ -164,7 +164,7 @@ const Parameter& lift_overlaps() {
   static const Parameter parameter{
       "liftOverlaps",
       ParameterKind::kSwitch,
-      MedialAxisOptions{}.lift_overlaps ? 1.0 : 0.0,
+      RecoveryOptions{}.lift_overlaps ? 1.0 : 0.0,
       0,
       1,
       {},
@@ -217,21 +217,23 @@ std::vector<Parameter> with_input_parameters(std::vector<Parameter> own) {
   return own;
 }
 
-MedialAxisOptions medial_axis_options(const ParameterValues& values) {
+MedialAxisOptions medial_axis_options(const ParameterValues& values, const TriangleSurface& mesh) {
   MedialAxisOptions options;
   switch (static_cast<Sampling>(values.count(sampling_density()))) {
     case Sampling::kAutomatic:
-      options.sampling_length.reset();
+      options.sampling.length.reset();
       break;
     case Sampling::kFixed:
-      options.sampling_length = values.number(sampling_length());
+      check_range(sampling_length(), values.number(sampling_length()),
+                  bounding_box_diagonal(mesh.points));
+      options.sampling.length = values.number(sampling_length());
       break;
     case Sampling::kOff:
-      options.sampling_length = 0.0;
+      options.sampling.length = 0.0;
       break;
   }
-  options.ignore_cavities = values.yes(ignore_cavities());
-  options.lift_overlaps = values.yes(lift_overlaps());
+  options.diagnosis.ignore_cavities = values.yes(ignore_cavities());
+  options.recovery.lift_overlaps = values.yes(lift_overlaps());
   return options;
 }
 
@@ -239,7 +241,7 @@ SkeletonOptions skeleton_options(const ParameterValues& values) {
   SkeletonOptions options;
   options.theta = values.number(theta());
   options.prune = values.number(prune());
-  options.one_mark_per_facet = values.count(marking_rule()) == 1;
+  options.marking_rule = static_cast<MarkingRule>(values.count(marking_rule()));
   options.open_pockets = values.yes(open_pockets());
   return options;
 }

@@ -38,7 +38,9 @@ const Parameter& coordinates_file();
 /// The parameters that say how the input is prepared, last in every filter that computes.
 std::vector<Parameter> with_input_parameters(std::vector<Parameter> own);
 
-MedialAxisOptions medial_axis_options(const ParameterValues& values);
+/// The options for `mesh`. Throws `InputError` (parameter_out_of_range) for a sampling length that
+/// is used and does not suit its size.
+MedialAxisOptions medial_axis_options(const ParameterValues& values, const TriangleSurface& mesh);
 SkeletonOptions skeleton_options(const ParameterValues& values);
 
 }  // namespace mgf::plugin::parameters

@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "filter_mgf_skeleton/culprits.h"
 #include "filter_mgf_skeleton/filters/filters.h"
 
 namespace mgf::plugin {
@@ -11,6 +12,17 @@ namespace {
 FilterOutcome failed(std::string code, std::string message) {
   FilterOutcome outcome;
   outcome.failure = Failure{std::move(code), std::move(message)};
+  return outcome;
+}
+
+/// Selects the faces and vertices to blame if it is the mesh that was refused.
+FilterOutcome blamed(const InputError& error, const TriangleSurface& mesh) {
+  FilterOutcome outcome = failed(error.code(), error.what());
+  const Diagnosis diagnosis = diagnose(mesh);
+  const Finding* finding = diagnosis.find(error.code());
+  if (finding != nullptr && finding->severity == Severity::kFatal) {
+    outcome.output.selection = culprits(diagnosis);
+  }
   return outcome;
 }
 
@@ -26,12 +38,12 @@ const std::vector<Filter>& all_filters() {
   return filters;
 }
 
-FilterOutcome run_filter(const Filter& filter, const FilterInput& input) noexcept {
+FilterOutcome run_filter(const Filter& filter, const FilterInput& input) {
   try {
-    check_ranges(filter.parameters, input.values, bounding_box_diagonal(input.mesh.points));
+    check_ranges(filter.parameters, input.values);
     return {filter.run(input), std::nullopt};
   } catch (const InputError& error) {
-    return failed(error.code(), error.what());
+    return blamed(error, input.mesh);
   } catch (const Cancelled&) {
     return failed("cancelled", "Stopped as you asked; nothing has changed.");
   } catch (const std::bad_alloc&) {

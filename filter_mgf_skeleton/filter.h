@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@
 namespace mgf::plugin {
 
 class Workbench;
+
+/// An empty one, for hosts that need know no more of it.
+std::shared_ptr<Workbench> make_workbench();
 
 /// What a filter works on.
 struct FilterInput {
@@ -27,6 +31,7 @@ struct FilterInput {
 /// What a filter does to the document, and so the menus it stands in.
 enum class FilterEffect {
   kAddsLayers,
+  kReplacesLayers,  ///< its own of a former run; quick enough to follow a slider
   kPaintsInput,
   kPaintsAndAddsLayers,
   kSelects,
@@ -59,8 +64,8 @@ struct FilterOutcome {
   std::optional<Failure> failure;
 };
 
-/// Checks the parameters and runs the filter; turns every exception into a failure, and selects
-/// the faces and vertices that are to blame when the input is.
-FilterOutcome run_filter(const Filter& filter, const FilterInput& input) noexcept;
+/// Checks the parameters and runs the filter; turns its exceptions into a failure, and selects the
+/// faces and vertices that are to blame when the mesh is.
+FilterOutcome run_filter(const Filter& filter, const FilterInput& input);
 
 }  // namespace mgf::plugin

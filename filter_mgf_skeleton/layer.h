@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "filter_mgf_skeleton/io/colour.h"
 #include "vcg_ext/core/errors.h"
 #include "vcg_ext/core/types.h"
 
 namespace mgf::plugin {
 
-/// Red, green and blue, 0 to 255.
-using Colour = std::array<std::uint8_t, 3>;
+using Colour = io::Colour;
 
 /// A named number per vertex or face, kept beside the mesh.
 struct Attribute {

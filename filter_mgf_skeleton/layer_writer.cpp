@@ -10,12 +10,15 @@ namespace {
 
 using Allocator = vcg::tri::Allocator<CMeshO>;
 
+/// A mesh attribute that tells our replaceable layers from a user's of the same name.
+const char* const kReplaceable = "mgf_skeleton_replaceable";
+
 Point3m host_point(const Vec3& p) {
   return {static_cast<Scalarm>(p.x()), static_cast<Scalarm>(p.y()), static_cast<Scalarm>(p.z())};
 }
 
 vcg::Color4b host_colour(const Colour& c) {
-  return {c[0], c[1], c[2], 255};
+  return {c.red, c.green, c.blue, 255};
 }
 
 /// The layer's elements that are not deleted, in order: position i is our number i.
@@ -101,23 +104,14 @@ void write_attributes(const Layer& layer, CMeshO& mesh) {
 
 }  // namespace
 
-TriangleSurface read_mesh(const CMeshO& mesh) {
-  TriangleSurface surface;
-  surface.points.reserve(static_cast<std::size_t>(mesh.vn));
-  surface.triangles.reserve(static_cast<std::size_t>(mesh.fn));
-  std::vector<Index> number(mesh.vert.size(), kNone);
-  for (std::size_t i = 0; i < mesh.vert.size(); ++i) {
-    if (mesh.vert[i].IsD()) continue;
-    number[i] = to_index(surface.points.size());
-    const Point3m& p = mesh.vert[i].cP();
-    surface.points.emplace_back(p[0], p[1], p[2]);
-  }
-  for (const CFaceO& face : mesh.face) {
-    if (face.IsD()) continue;
-    const auto corner = [&](int i) { return number[vcg::tri::Index(mesh, face.cV(i))]; };
-    surface.triangles.push_back({corner(0), corner(1), corner(2)});
-  }
-  return surface;
+bool is_replaceable(const MeshModel& model) {
+  return vcg::tri::HasPerMeshAttribute(model.cm, kReplaceable);
+}
+
+void clear_layer(MeshModel& model) {
+  model.cm.Clear();
+  model.cm.ClearAttributes();
+  model.Clear();  // the data mask alone
 }
 
 void write_layer(const Layer& layer, const Matrix44m& transform, MeshModel& model) {
@@ -125,6 +119,7 @@ void write_layer(const Layer& layer, const Matrix44m& transform, MeshModel& mode
   write_faces(layer, model);
   write_edges(layer, model);
   write_attributes(layer, model.cm);
+  if (layer.replaces_former) Allocator::GetPerMeshAttribute<int>(model.cm, kReplaceable)() = 1;
   model.cm.Tr = transform;
   model.UpdateBoxAndNormals();
   // Without faces the normals are zero, and lines lit with them are almost black.

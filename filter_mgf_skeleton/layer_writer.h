@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mesh of a MeshLab layer as plain data, and plain data as MeshLab layers, paint, selection.
+// Plain data as MeshLab layers, paint and selection.
 #pragma once
 
 #include "filter_mgf_skeleton/layer.h"
@@ -7,8 +7,11 @@
 
 namespace mgf::plugin {
 
-/// The layer's vertices and faces in their order, deleted ones left out.
-TriangleSurface read_mesh(const CMeshO& mesh);
+/// Whether `model` was written from a layer that later runs may replace.
+bool is_replaceable(const MeshModel& model);
+
+/// Empties `model`.
+void clear_layer(MeshModel& model);
 
 /// Fills the empty `model` with `layer` and gives it the transform of the input.
 void write_layer(const Layer& layer, const Matrix44m& transform, MeshModel& model);

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_mgf_skeleton/parameter.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "filter_mgf_skeleton/short_number.h"
 #include "vcg_ext/core/errors.h"
 
 namespace mgf::plugin {
 namespace {
-
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
-}
 
 std::string described(const Parameter& parameter, double value) {
   switch (parameter.kind) {
@@ -48,8 +43,9 @@ std::string described_range(const Parameter& parameter) {
   }
 }
 
-bool has_range(const Parameter& parameter) {
-  return parameter.kind != ParameterKind::kText && parameter.kind != ParameterKind::kSwitch;
+bool has_fixed_range(const Parameter& parameter) {
+  return parameter.kind != ParameterKind::kText && parameter.kind != ParameterKind::kSwitch &&
+         parameter.kind != ParameterKind::kLength;
 }
 
 double as_number(const Parameter& parameter, const ParameterValues& values) {
@@ -100,23 +96,23 @@ ParameterValues::Value initial_value(const Parameter& parameter, double diagonal
   }
 }
 
-void check_ranges(const std::vector<Parameter>& parameters, const ParameterValues& values,
-                  double diagonal) {
+void check_range(const Parameter& parameter, double value, double diagonal) {
   // Hosts pass single precision: a value typed as the limit may come back a rounding beyond it.
   constexpr double kRounding = 1e-6;
+  const double unit = parameter.kind == ParameterKind::kLength ? diagonal : 1.0;
+  const double slack = kRounding * std::max(std::abs(parameter.low), std::abs(parameter.high));
+  if (std::isfinite(value) && value >= (parameter.low - slack) * unit &&
+      value <= (parameter.high + slack) * unit) {
+    return;
+  }
+  throw InputError("parameter_out_of_range",
+                   "The parameter '" + parameter.key + "' (" + parameter.label + ") is " +
+                       short_number(value) + " but must be in " + described_range(parameter) + ".");
+}
+
+void check_ranges(const std::vector<Parameter>& parameters, const ParameterValues& values) {
   for (const Parameter& parameter : parameters) {
-    if (!has_range(parameter)) continue;
-    const double unit = parameter.kind == ParameterKind::kLength ? diagonal : 1.0;
-    const double value = as_number(parameter, values);
-    const double slack = kRounding * std::max(std::abs(parameter.low), std::abs(parameter.high));
-    if (std::isfinite(value) && value >= (parameter.low - slack) * unit &&
-        value <= (parameter.high + slack) * unit) {
-      continue;
-    }
-    throw InputError("parameter_out_of_range", "The parameter '" + parameter.key + "' (" +
-                                                   parameter.label + ") is " + short_number(value) +
-                                                   " but must be in " + described_range(parameter) +
-                                                   ".");
+    if (has_fixed_range(parameter)) check_range(parameter, as_number(parameter, values), 1.0);
   }
 }
 

@@ -57,10 +57,13 @@ class ParameterValues {
 /// The default of a parameter for a mesh with bounding-box diagonal `diagonal`.
 ParameterValues::Value initial_value(const Parameter& parameter, double diagonal);
 
-/// Throws `InputError` (parameter_out_of_range) naming the first parameter whose value is not
-/// finite or outside its range; lengths are checked against `diagonal`.
-void check_ranges(const std::vector<Parameter>& parameters, const ParameterValues& values,
-                  double diagonal);
+/// Throws `InputError` (parameter_out_of_range) if `value` is not finite or outside the range,
+/// which for a length is in units of `diagonal`.
+void check_range(const Parameter& parameter, double value, double diagonal);
+
+/// Checks all but the lengths: a script gives these in mesh units whatever the mesh, so they are
+/// checked where they are used.
+void check_ranges(const std::vector<Parameter>& parameters, const ParameterValues& values);
 
 /// The parameters as a Markdown table: name, default, range, meaning.
 std::string markdown_table(const std::vector<Parameter>& parameters);

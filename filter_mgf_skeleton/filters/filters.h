@@ -27,4 +27,8 @@ inline const char* const kRequirement =
     "<i>Check Mesh for Curve Skeleton</i> tells what is wrong with one that is refused. It is "
     "never changed but for the quality and colour said above.";
 
+/// For the log of filters whose layers lie within the input.
+inline const char* const kHideNote =
+    "The new layers lie inside the mesh: hide it (the eye in the list of layers) to see them.";
+
 }  // namespace mgf::plugin

@@ -5,6 +5,7 @@
 
 #include "filter_mgf_skeleton/layer_writer.h"
 #include "filter_mgf_skeleton/parameter_bridge.h"
+#include "vcg_ext/input/bridge.h"
 
 using namespace mgf::plugin;
 
@@ -25,9 +26,9 @@ QString base_name(const MeshModel& model) {
   return is_file ? QFileInfo(model.label()).completeBaseName() : model.label();
 }
 
-MeshModel* layer_named(MeshDocument& document, const QString& name) {
+MeshModel* replaceable_layer(MeshDocument& document, const QString& name) {
   for (MeshModel* model : document.meshList) {
-    if (model->label() == name) return model;
+    if (model->label() == name && is_replaceable(*model)) return model;
   }
   return nullptr;
 }
@@ -36,8 +37,8 @@ void write_output(const FilterOutput& output, const QString& name, MeshModel& in
                   MeshDocument& document) {
   for (const Layer& layer : output.layers) {
     const QString label = name + " " + qt(layer.name);
-    MeshModel* former = layer.replaces_former ? layer_named(document, label) : nullptr;
-    if (former != nullptr) former->Clear();
+    MeshModel* former = layer.replaces_former ? replaceable_layer(document, label) : nullptr;
+    if (former != nullptr) clear_layer(*former);
     MeshModel* model = former != nullptr ? former : document.addNewMesh(QString(), label, false);
     write_layer(layer, input.cm.Tr, *model);
     model->visible = !layer.hidden;
@@ -86,6 +87,7 @@ const Filter& MgfSkeletonPlugin::filter(QAction* action) const {
 MeshFilterInterface::FilterClass MgfSkeletonPlugin::getClass(QAction* action) {
   switch (filter(action).effect) {
     case FilterEffect::kAddsLayers:
+    case FilterEffect::kReplacesLayers:
       return FilterClass(Remeshing | Measure);
     case FilterEffect::kPaintsInput:
     case FilterEffect::kPaintsAndAddsLayers:
@@ -102,8 +104,8 @@ int MgfSkeletonPlugin::getPreConditions(QAction*) const {
   return MeshModel::MM_NONE;
 }
 
-// Only what changes on the input: new layers are not MeshLab's business here, and a condition that
-// names geometry would make it rebuild every buffer.
+// Only what changes on the input: MeshLab notices new layers by itself. That a former layer has
+// been replaced it notices by the faces' corners, which no preview reverts.
 int MgfSkeletonPlugin::postCondition(QAction* action) const {
   switch (filter(action).effect) {
     case FilterEffect::kPaintsInput:
@@ -151,7 +153,7 @@ bool MgfSkeletonPlugin::apply(const Filter& filter, MeshDocument& document,
     return fail({"no_mesh", "There is no mesh: open one first."});
   }
   const int id = document.mm()->id();
-  const mgf::TriangleSurface mesh = read_mesh(document.mm()->cm);
+  const mgf::TriangleSurface mesh = mgf::bridge_from_mesh(document.mm()->cm).surface;
   const QString name = base_name(*document.mm());
   const ParameterValues values = read_parameters(filter.parameters, list);
   const mgf::Progress progress([callback](double share, const char* stage) {
@@ -159,7 +161,7 @@ bool MgfSkeletonPlugin::apply(const Filter& filter, MeshDocument& document,
   });
 
   const FilterOutcome outcome =
-      run_filter(filter, {mesh, name.toStdString(), values, workbench_, progress});
+      run_filter(filter, {mesh, name.toStdString(), values, *workbench_, progress});
 
   // The callback let events through: the user may have closed or edited the layer meanwhile.
   MeshModel* input = document.getMesh(id);

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "filter_mgf_skeleton/filter.h"
-#include "filter_mgf_skeleton/workbench.h"
 #include "host_headers.h"
 
 /// Offers every filter of `all_filters()` to MeshLab; a filter's id is its position there.
@@ -36,6 +35,6 @@ class MgfSkeletonPlugin : public QObject, public MeshFilterInterface {
              const RichParameterList& list, vcg::CallBackPos* callback);
   void log(const mgf::plugin::FilterOutput& output);
 
-  mgf::plugin::Workbench workbench_;
+  std::shared_ptr<mgf::plugin::Workbench> workbench_ = mgf::plugin::make_workbench();
   bool running_ = false;  ///< the progress callback lets the user start a filter within a filter
 };
