@@ -35,6 +35,7 @@ inline void write_circles(const std::filesystem::path& path, const GeodesicCircl
   GraphTables tables = graph_tables(points, edges);
   const auto eccentricity_of = [&circles](const std::vector<Index>& circle_of) {
     std::vector<double> values;
+    values.reserve(circle_of.size());
     for (const Index c : circle_of) values.push_back(circles.eccentricity.at(c));
     return values;
   };

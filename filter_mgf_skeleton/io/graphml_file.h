@@ -14,25 +14,29 @@ namespace mgf::io {
 
 namespace graphml_detail {
 
-inline std::string key_declarations(const Table& table, const std::string& domain,
-                                    std::size_t first) {
+// `domain` is "node" or "edge"; keys are unique in the file, so their names begin with it.
+inline std::string key_of(const Column& column, const char* domain) {
+  return std::string(domain).append("_").append(column.name);
+}
+
+inline std::string key_declarations(const Table& table, const char* domain, std::size_t first) {
   std::string text;
   for (std::size_t c = first; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
-    const char* type = column.type == NumberType::kReal ? "double" : "int";
-    text += "  <key id=\"" + domain + "_" + column.name + "\" for=\"" + domain + "\" attr.name=\"" +
-            column.name + "\" attr.type=\"" + type + "\"/>\n";
+    text.append("  <key id=\"").append(key_of(column, domain)).append("\" for=\"").append(domain);
+    text.append("\" attr.name=\"").append(column.name).append("\" attr.type=\"");
+    text.append(column.type == NumberType::kReal ? "double" : "int").append("\"/>\n");
   }
   return text;
 }
 
-inline std::string data(const Table& table, const std::string& domain, std::size_t first,
-                        std::size_t row, const std::filesystem::path& path) {
+inline std::string data(const Table& table, const char* domain, std::size_t first, std::size_t row,
+                        const std::filesystem::path& path) {
   std::string text;
   for (std::size_t c = first; c < table.columns.size(); ++c) {
     const Column& column = table.columns[c];
-    text += "<data key=\"" + domain + "_" + column.name + "\">" +
-            to_text(table, column, row, path) + "</data>";
+    text.append("<data key=\"").append(key_of(column, domain)).append("\">");
+    text.append(to_text(table, column, row, path)).append("</data>");
   }
   return text;
 }

@@ -26,7 +26,9 @@ inline void require_finite(const Json& value, const std::string& name,
     throw FileError(path, name + " is not finite");
   }
   if (!value.is_structured()) return;
-  for (const auto& [key, member] : value.items()) require_finite(member, name + "." + key, path);
+  for (const auto& [key, member] : value.items()) {
+    require_finite(member, std::string(name).append(".").append(key), path);
+  }
 }
 
 inline const char* word(ReportStatus status) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
@@ -32,7 +33,6 @@ namespace tube_detail {
 inline constexpr Index kSides = 12;  // corners of a cross-section
 inline constexpr Index kCapRings =
     3;  // rings from an open end's rim to its pole, the pole included
-inline constexpr double kPi = 3.14159265358979323846;
 
 // A cross-section's place: origin, unit tangent, and a unit normal where its corners start.
 struct Frame {
