@@ -13,11 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 
 namespace mgf::fixtures {
-
-inline constexpr double kPi = 3.14159265358979323846;
 
 /// A polygon in the plane z = 0, its triangulation, and the wall up to `height`.
 inline TriangleSurface extruded(const std::vector<std::array<double, 2>>& polygon,

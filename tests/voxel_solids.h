@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/medial/interior_tetrahedra.h"
@@ -108,6 +111,65 @@ inline std::vector<Cell> hollow_box_of_cubes(int n) {
     }
   }
   return cubes;
+}
+
+/// A house with two rooms (paper, section 7; Hatcher's example): contractible, each room reached
+/// only through a tunnel that crosses the other. Its walls are a cube thick.
+inline std::vector<Cell> house_with_two_rooms() {
+  std::vector<Cell> cubes;
+  for (int x = 0; x <= 10; ++x) {
+    for (int y = 0; y <= 6; ++y) {
+      for (int z = 0; z <= 8; ++z) {
+        const bool shell = x == 0 || x == 10 || y == 0 || y == 6 || z == 0 || z == 4 || z == 8;
+        const bool upper = z >= 5 && z <= 7;
+        const bool lower = z >= 1 && z <= 3;
+        const bool chimney = upper && std::abs(x - 3) <= 1 && std::abs(y - 3) <= 1;
+        const bool shaft = lower && std::abs(x - 7) <= 1 && std::abs(y - 3) <= 1;
+        const bool panel = y == 5 && ((upper && x == 3) || (lower && x == 7));
+        const bool hollow = y == 3 && ((x == 3 && z >= 4) || (x == 7 && z <= 4));
+        if ((shell || chimney || shaft || panel) && !hollow) cubes.push_back({x, y, z});
+      }
+    }
+  }
+  return cubes;
+}
+
+/// The boundary of a union of unit cubes, outward oriented, its points numbered as they come.
+inline TriangleSurface surface_of_cubes(const std::vector<Cell>& cubes) {
+  const std::set<Cell> filled(cubes.begin(), cubes.end());
+  std::map<Cell, Index> number;
+  TriangleSurface surface;
+  const auto corner = [&](const Cell& at) {
+    const auto [entry, is_new] = number.try_emplace(at, to_index(surface.points.size()));
+    if (is_new) surface.points.emplace_back(at[0], at[1], at[2]);
+    return entry->second;
+  };
+  for (const Cell& cube : cubes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, 1}) {
+        Cell beyond = cube;
+        beyond[axis] += side == 1 ? 1 : -1;
+        if (filled.count(beyond) != 0) continue;
+        std::array<Cell, 4> quad;
+        quad.fill(cube);
+        for (Cell& at : quad) at[axis] += side;
+        const std::size_t u = (axis + 1) % 3;
+        const std::size_t v = (axis + 2) % 3;
+        ++quad[1][u];
+        ++quad[2][u];
+        ++quad[2][v];
+        ++quad[3][v];
+        if (side == 0) std::swap(quad[1], quad[3]);
+        const Index a = corner(quad[0]);
+        const Index b = corner(quad[1]);
+        const Index c = corner(quad[2]);
+        const Index d = corner(quad[3]);
+        surface.triangles.push_back({a, b, c});
+        surface.triangles.push_back({a, c, d});
+      }
+    }
+  }
+  return surface;
 }
 
 }  // namespace mgf::test

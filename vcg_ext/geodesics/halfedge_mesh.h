@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/errors.h"
 #include "vcg_ext/core/types.h"
 
@@ -33,8 +34,6 @@ inline double dot(Vec2 p, Vec2 q) {
 inline double norm(Vec2 p) {
   return std::sqrt(dot(p, p));
 }
-
-inline constexpr double kPi = 3.14159265358979323846;
 
 /// Directed edge 3t + i runs from corner i to corner i + 1 of triangle t. Its frame has the tail at
 /// the origin and the head at (length, 0); the triangle lies above, with its apex at `apex`.

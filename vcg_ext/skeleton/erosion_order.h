@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -44,6 +44,13 @@ struct ErosionKey {
   bool is_vertex = false;
   double size = 0.0;
 
+  /// Adds a facet's f, keeping the descending order; at most six fit.
+  void insert(double value) {
+    for (double& entry : mgf) {
+      if (value > entry) std::swap(value, entry);
+    }
+  }
+
   bool operator<(const ErosionKey& other) const {
     if (mgf != other.mgf) return mgf < other.mgf;
     if (is_vertex != other.is_vertex) return other.is_vertex;
@@ -69,18 +76,16 @@ class ErosionKeys {
  private:
   ErosionKey edge_key(Index edge) const {
     ErosionKey key;
-    std::size_t count = 0;
     const Triangle& dual = complex_.edge_contacts[edge];
     double longest = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Index facet = complex_.edge_facets[edge][i];
-      if (facet != kNone) key.mgf[count++] = priority_[facet];
+      if (facet != kNone) key.insert(priority_[facet]);
       const double side = (points_[dual[i]] - points_[dual[(i + 1) % 3]]).norm();
       key.size += side;
       longest = std::max(longest, side);
     }
-    if (count == 0) key.mgf[count++] = longest;  // no facet: a tube as thin as one triangle
-    std::sort(key.mgf.begin(), key.mgf.begin() + count, std::greater<>());
+    if (key.mgf[0] == 0.0) key.insert(longest);  // no facet: a tube as thin as one triangle
     return key;
   }
 
@@ -89,13 +94,13 @@ class ErosionKeys {
     std::size_t count = 0;
     for (const Index edge : complex_.vertex_edges[vertex]) {
       for (const Index facet : complex_.edge_facets[edge]) {
-        const auto* const end = facets.begin() + count;
-        if (facet != kNone && std::find(facets.begin(), end, facet) == end) facets[count++] = facet;
+        const Index* const end = facets.data() + count;
+        if (facet != kNone && std::find<const Index*>(facets.data(), end, facet) == end)
+          facets[count++] = facet;
       }
     }
     ErosionKey key;
-    for (std::size_t i = 0; i < count; ++i) key.mgf[i] = priority_[facets[i]];
-    std::sort(key.mgf.begin(), key.mgf.begin() + count, std::greater<>());
+    for (std::size_t i = 0; i < count; ++i) key.insert(priority_[facets[i]]);
     key.is_vertex = true;
     key.size = complex_.radius[vertex];
     return key;

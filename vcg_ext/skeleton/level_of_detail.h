@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/graph_edits.h"
@@ -88,10 +89,7 @@ class LeafPruner {
   }
 
   /// Radius of the tube whose MGF a node has: half its circumference over pi.
-  double tube_radius(Index node) const {
-    constexpr double kPi = 3.14159265358979323846;
-    return skeleton_.node_mgf[node] / kPi;
-  }
+  double tube_radius(Index node) const { return skeleton_.node_mgf[node] / kPi; }
 
   void offer(Index tip) {
     double length = 0.0;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/medial_complex.h"
@@ -30,8 +31,6 @@ struct SkeletonDrawing {
 };
 
 namespace detail {
-
-inline constexpr double kPi = 3.14159265358979323846;
 
 /// Length of the circumcircle of a triangle; infinite if its corners are collinear.
 inline double circumcircle_length(const Vec3& a, const Vec3& b, const Vec3& c) {
