@@ -169,10 +169,12 @@ TEST(GeodesicsExactness, SkippingFlatVerticesChangesNothing) {
   const HalfedgeMesh mesh = make_halfedge_mesh(fine);
   EXPECT_LT(without_flat_vertices(fine).surface.points.size(), fine.points.size() / 8);
   const std::vector<VertexPair> pairs = random_pairs(fine, 3000, 6);
-  PairPaths with = find_coherent_paths(mesh, pairs, {}, 1, {});
+  PairPaths with(pairs.size());
+  const std::vector<std::array<Index, 3>> no_links;
+  CoherentPaths(mesh, pairs, no_links, 1, with).run({});
   PairPaths without = with;
-  certify_paths(fine, mesh, pairs, 1, {PropagationPruning{}, true}, {}, with);
-  certify_paths(fine, mesh, pairs, 1, {PropagationPruning{}, false}, {}, without);
+  PathCertificate(fine, mesh, pairs, 1, {PropagationPruning{}, true}, with).run(1, {});
+  PathCertificate(fine, mesh, pairs, 1, {PropagationPruning{}, false}, without).run(1, {});
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     EXPECT_EQ(with.certification[i], Certification::kProven);
     EXPECT_EQ(without.certification[i], Certification::kProven);

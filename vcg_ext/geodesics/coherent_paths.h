@@ -28,19 +28,19 @@
 
 namespace mgf {
 
-namespace detail {
-
-/// The spreading of paths. Rounds are double-buffered: a trial reads only what was there when the
-/// round began and writes only its own pair, so the threads' number and order change nothing.
+/// Finds for each pair a locally shortest path, nearly always a shortest one (see
+/// compute_pair_geodesics for `links`). Pairs on different shells keep an infinite length. Rounds
+/// are double-buffered: a trial reads only what was there when the round began and writes only its
+/// own pair, so the threads' number and order change nothing.
 class CoherentPaths {
  public:
   CoherentPaths(const HalfedgeMesh& mesh, const std::vector<VertexPair>& pairs,
-                const std::vector<std::array<Index, 3>>& links, unsigned threads)
+                const std::vector<std::array<Index, 3>>& links, unsigned threads, PairPaths& paths)
       : mesh_(mesh),
         pairs_(pairs),
         links_(links),
         threads_(thread_count(threads)),
-        paths_(pairs.size()),
+        paths_(paths),
         tangents_(pairs.size()),
         changed_in_(pairs.size(), kNone),
         asked_in_(pairs.size(), kNone),
@@ -48,23 +48,53 @@ class CoherentPaths {
     link_pairs();
   }
 
-  PairPaths run(const Progress& progress) {
+  /// Finds a path for each pair that has one.
+  void run(const Progress& progress) {
     start_from_close_pairs();
     do {
       spread(progress);
     } while (start_from_far_pairs());
-    return std::move(paths_);
+  }
+
+  /// Lets paths that have been replaced by shorter ones spread, to pairs not yet proven.
+  void carry_on(const std::vector<Index>& improved, const Progress& progress) {
+    Funnel funnel(mesh_);
+    for (const Index pair : improved) {
+      const auto [a, b] = pairs_[pair];
+      const std::vector<Index>& corridor = paths_.corridor[pair];
+      funnel.straighten(a, b, corridor);
+      tangents_[pair] = {funnel.tangent_at_start(a, b, corridor),
+                         funnel.tangent_at_end(a, b, corridor)};
+      queue(pair, 0);
+    }
+    spread(progress);
   }
 
  private:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  /// The path of pair `from`, whose end is to be led from `moved` on to `end`.
+  struct Trial {
+    double estimate = 0.0;  ///< of the length to expect, at most
+    double step = 0.0;      ///< from `moved` to `end`, straight
+    Index from = kNone;
+    Index shared = kNone;
+    Index moved = kNone;
+    Index end = kNone;
+    Index third = kNone;  ///< the pair of `moved` and `end`, if it is one
+    bool operator<(const Trial& o) const {
+      return estimate < o.estimate || (estimate == o.estimate && from < o.from);
+    }
+  };
   struct Workspace {
     explicit Workspace(const HalfedgeMesh& mesh) : search(mesh), shortener(mesh) {}
     EdgeSearch search;
     PathShortener shortener;
+    std::vector<Trial> trials;
   };
   /// A path found for a pair in this round.
   struct Candidate {
-    double length = std::numeric_limits<double>::infinity();
+    double length = kInfinity;
     std::vector<Index> corridor;
     std::array<Vec3, 2> tangents;
   };
@@ -179,6 +209,7 @@ class CoherentPaths {
       for (const Index link : pair_links_[pair]) {
         for (const Index other : links_[link]) {
           if (other == kNone || other == pair || asked_in_[other] == round_) continue;
+          if (paths_.certification[other] == Certification::kProven) continue;
           asked_in_[other] = round_;
           asked.push_back(other);
         }
@@ -188,56 +219,68 @@ class CoherentPaths {
     return asked;
   }
 
-  /// Tries the paths of all neighbours that have changed.
+  /// Tries the paths of the neighbours that have changed, the most promising first.
   void try_neighbours(Index pair, Workspace& work, Candidate& best) const {
+    work.trials.clear();
     for (const Index link : pair_links_[pair]) {
-      for (std::size_t side = 0; side < 3; ++side) {
-        const Index from = links_[link][side];
+      for (const Index from : links_[link]) {
         if (from == kNone || from == pair || changed_in_[from] != round_) continue;
-        Index third = kNone;
-        for (const Index other : links_[link]) {
-          if (other != pair && other != from) third = other;
-        }
-        try_neighbour(pair, from, third, work, best);
+        work.trials.push_back(make_trial(pair, from, link));
       }
     }
+    std::sort(work.trials.begin(), work.trials.end());
+    for (const Trial& trial : work.trials) {
+      if (is_worth_it(pair, trial, best)) try_neighbour(pair, trial, work, best);
+    }
   }
 
-  void try_neighbour(Index pair, Index from, Index third, Workspace& work, Candidate& best) const {
+  Trial make_trial(Index pair, Index from, Index link) const {
     const VertexPair& goal = pairs_[pair];
     const VertexPair& known = pairs_[from];
-    const bool shares_a = goal.a == known.a || goal.a == known.b;
-    const Index shared = shares_a ? goal.a : goal.b;
-    const Index moved = known.a == shared ? known.b : known.a;
-    const Index end = shares_a ? goal.b : goal.a;
-    const double step = (mesh_.points[moved] - mesh_.points[end]).norm();
-    const double value = std::min(best.length, paths_.length[pair]);
-    if (paths_.length[from] - 1.2 * step >= value) return;
-    if (paths_.has(pair) && leave_alike(pair, from, shared, step)) return;
-
-    PathPiece across{moved, end, {}};
-    if (find_halfedge(mesh_, moved, end) != kNone) {
-      // along the edge
-    } else if (third != kNone && paths_.has(third)) {
-      across.crossed = oriented(third, moved);
-    } else {
-      const std::vector<Index> vertices = work.search.run(moved, end, 32);
-      if (vertices.empty()) return;
-      across.crossed = corridor_of_vertices(mesh_, vertices);
-      if (across.crossed.empty()) return;
+    Trial trial;
+    trial.from = from;
+    trial.shared = goal.a == known.a || goal.a == known.b ? goal.a : goal.b;
+    trial.moved = known.a == trial.shared ? known.b : known.a;
+    trial.end = goal.a == trial.shared ? goal.b : goal.a;
+    for (const Index other : links_[link]) {
+      if (other != pair && other != from) trial.third = other;
     }
-    std::vector<Index> corridor =
-        corridor_of_pieces(mesh_, {{shared, moved, oriented(from, shared)}, across});
-    if (!shares_a) corridor = reversed_corridor(mesh_, corridor);
-    try_corridor(goal, std::move(corridor), work, best);
+    trial.step = (mesh_.points[trial.moved] - mesh_.points[trial.end]).norm();
+    trial.estimate = paths_.length[from] + trial.step;
+    return trial;
   }
 
-  /// Whether two paths leave their common end so alike that they are of one class.
-  bool leave_alike(Index pair, Index from, Index shared, double step) const {
-    const Vec3& mine = tangents_[pair][pairs_[pair].a == shared ? 0 : 1];
-    const Vec3& other = tangents_[from][pairs_[from].a == shared ? 0 : 1];
-    const double sine = std::max(0.05, 1.1 * step / paths_.length[from]);
-    return mine.dot(other) > 0.0 && mine.cross(other).norm() <= sine;
+  /// Not if the neighbour's path is too long to help, nor if it leaves the common end so much like
+  /// the pair's own path that the two are of one class.
+  bool is_worth_it(Index pair, const Trial& trial, const Candidate& best) const {
+    const bool is_new = best.length < paths_.length[pair];
+    const double value = is_new ? best.length : paths_.length[pair];
+    if (!(value < kInfinity)) return true;
+    const double length = paths_.length[trial.from];
+    if (length - 1.2 * trial.step >= value) return false;
+    const std::array<Vec3, 2>& tangents = is_new ? best.tangents : tangents_[pair];
+    const Vec3& mine = tangents[pairs_[pair].a == trial.shared ? 0 : 1];
+    const Vec3& other = tangents_[trial.from][pairs_[trial.from].a == trial.shared ? 0 : 1];
+    const double sine = std::max(0.05, 1.1 * trial.step / length);
+    return mine.dot(other) <= 0.0 || mine.cross(other).norm() > sine;
+  }
+
+  void try_neighbour(Index pair, const Trial& trial, Workspace& work, Candidate& best) const {
+    PathPiece across{trial.moved, trial.end, {}};
+    if (find_halfedge(mesh_, trial.moved, trial.end) != kNone) {
+      // along the edge
+    } else if (trial.third != kNone && paths_.has(trial.third)) {
+      across.crossed = oriented(trial.third, trial.moved);
+    } else {
+      constexpr std::size_t kShortSearch = 32;
+      const std::vector<Index> vertices = work.search.run(trial.moved, trial.end, kShortSearch);
+      if (vertices.empty()) return;
+      across.crossed = corridor_of_vertices(mesh_, vertices);
+    }
+    std::vector<Index> corridor = corridor_of_pieces(
+        mesh_, {{trial.shared, trial.moved, oriented(trial.from, trial.shared)}, across});
+    if (trial.shared != pairs_[pair].a) corridor = reversed_corridor(mesh_, corridor);
+    try_corridor(pairs_[pair], std::move(corridor), work, best);
   }
 
   std::vector<Index> oriented(Index pair, Index start) const {
@@ -265,11 +308,16 @@ class CoherentPaths {
       paths_.length[pair] = found.length;
       paths_.corridor[pair] = std::move(found.corridor);
       tangents_[pair] = found.tangents;
-      const double position = std::min(found.length / mesh_.mean_edge, 1e6);
-      const std::size_t bucket = std::max(least, static_cast<std::size_t>(position));
-      if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
-      buckets_[bucket].push_back(pair);
+      queue(pair, least);
     }
+  }
+
+  /// Puts a changed pair in the bucket of its length, `least` at least.
+  void queue(Index pair, std::size_t least) {
+    const double position = std::min(paths_.length[pair] / mesh_.mean_edge, 1e6);
+    const std::size_t bucket = std::max(least, static_cast<std::size_t>(position));
+    if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+    buckets_[bucket].push_back(pair);
   }
 
   static constexpr Index kSearched = kNone - 1;
@@ -279,7 +327,7 @@ class CoherentPaths {
   const std::vector<std::array<Index, 3>>& links_;
   unsigned threads_;
   Rows<Index> pair_links_;  ///< one row per pair: the links that it is in
-  PairPaths paths_;
+  PairPaths& paths_;
   std::vector<std::array<Vec3, 2>> tangents_;  ///< one per pair, at a and at b
   std::vector<Index> changed_in_;              ///< one per pair: last round that it was active in
   std::vector<Index> asked_in_;                ///< one per pair: last round that it was tried in
@@ -289,15 +337,5 @@ class CoherentPaths {
   std::vector<Candidate> candidates_;
   std::vector<std::unique_ptr<Workspace>> workspaces_;
 };
-
-}  // namespace detail
-
-/// A locally shortest path for each pair (no path where its ends are on different shells), nearly
-/// always a shortest one. See compute_pair_geodesics for `links`.
-inline PairPaths find_coherent_paths(const HalfedgeMesh& mesh, const std::vector<VertexPair>& pairs,
-                                     const std::vector<std::array<Index, 3>>& links,
-                                     unsigned threads, const Progress& progress) {
-  return detail::CoherentPaths(mesh, pairs, links, threads).run(progress);
-}
 
 }  // namespace mgf

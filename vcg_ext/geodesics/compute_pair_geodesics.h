@@ -57,11 +57,17 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
                                             const GeodesicOptions& options,
                                             const Progress& progress = {}) {
   const HalfedgeMesh mesh = make_halfedge_mesh(surface);
-  PairPaths paths =
-      find_coherent_paths(mesh, pairs, links, options.threads, progress.slice(0.0, 0.3));
+  PairPaths paths(pairs.size());
+  CoherentPaths carrier(mesh, pairs, links, options.threads, paths);
+  carrier.run(progress.slice(0.0, 0.3));
   if (options.wanted != Certification::kUnproven) {
-    certify_paths(surface, mesh, pairs, options.threads, CertificateOptions{},
-                  progress.slice(0.3, 0.95), paths);
+    PathCertificate certificate(surface, mesh, pairs, options.threads, CertificateOptions{}, paths);
+    // What a sample of the searches repairs is carried on first: paths of a wrong class come in
+    // islands, and each makes its search dear.
+    constexpr std::size_t kSample = 32;
+    const std::vector<Index> improved = certificate.run(kSample, progress.slice(0.3, 0.35));
+    carrier.carry_on(improved, progress.slice(0.35, 0.4));
+    certificate.run(1, progress.slice(0.4, 0.95));
   }
   progress.report(0.95, "Measuring geodesics");
   return detail::finish_geodesics(mesh, pairs, std::move(paths));

@@ -17,7 +17,8 @@ struct CoarseSurface {
   TriangleSurface surface;
   std::vector<Index> vertex_of;  ///< one per fine vertex: its number here, or kNone if taken out
   std::vector<Index>
-      triangle_of;  ///< one per fine vertex: a triangle that a vertex taken out lies in
+      triangle_of;            ///< one per fine vertex: a triangle that a vertex taken out lies in
+  std::vector<Index> parent;  ///< one per fine triangle: the triangle its centroid lies in
 };
 
 namespace detail {
@@ -34,6 +35,7 @@ class FlatVertexRemoval {
         removed_(fine.points.size(), 0) {
     for (Index t = 0; t < triangles_.size(); ++t) {
       for (const Index v : triangles_[t]) around_[v].push_back(t);
+      held_[t].push_back(centroid_id(t));
     }
   }
 
@@ -56,6 +58,17 @@ class FlatVertexRemoval {
   static constexpr double kFlat = 1e-12;
   /// No triangle thinner than this (height to longest side) is made.
   static constexpr double kThin = 0.02;
+
+  // What triangles hold: vertices taken out, by number, and after those the fine triangles'
+  // centroids.
+  Index centroid_id(Index fine_triangle) const {
+    return to_index(fine_.points.size()) + fine_triangle;
+  }
+  Vec3 position(Index held) const {
+    if (held < fine_.points.size()) return fine_.points[held];
+    const Triangle& t = fine_.triangles[held - fine_.points.size()];
+    return (fine_.points[t[0]] + fine_.points[t[1]] + fine_.points[t[2]]) / 3.0;
+  }
 
   static bool has(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
 
@@ -153,18 +166,19 @@ class FlatVertexRemoval {
 
   /// The triangle among `kept` that point p lies in: deepest of those whose plane it is on.
   Index home_of(Index p, const std::vector<Index>& kept) const {
+    const Vec3 place = position(p);
     Index best = kept.front();
     double best_depth = -std::numeric_limits<double>::infinity();
     for (const Index t : kept) {
       const Triangle& c = triangles_[t];
       const Vec3 n = normal(c);
       const double area = n.squaredNorm();
-      double depth = -1e3 * std::abs(n.dot(fine_.points[p] - fine_.points[c[0]])) / area * n.norm();
+      double depth = -1e3 * std::abs(n.dot(place - fine_.points[c[0]])) / area * n.norm();
       double inside = 1.0;
       for (int i = 0; i < 3; ++i) {
         const Vec3& q = fine_.points[c[(i + 1) % 3]];
         const Vec3& r = fine_.points[c[(i + 2) % 3]];
-        inside = std::min(inside, (r - q).cross(fine_.points[p] - q).dot(n) / area);
+        inside = std::min(inside, (r - q).cross(place - q).dot(n) / area);
       }
       depth += inside;
       if (depth > best_depth) {
@@ -179,6 +193,7 @@ class FlatVertexRemoval {
     CoarseSurface coarse;
     coarse.vertex_of.assign(fine_.points.size(), kNone);
     coarse.triangle_of.assign(fine_.points.size(), kNone);
+    coarse.parent.assign(fine_.triangles.size(), kNone);
     for (Index v = 0; v < fine_.points.size(); ++v) {
       if (removed_[v] != 0) continue;
       coarse.vertex_of[v] = to_index(coarse.surface.points.size());
@@ -186,8 +201,14 @@ class FlatVertexRemoval {
     }
     for (Index t = 0; t < triangles_.size(); ++t) {
       if (triangles_[t][0] == kNone) continue;
-      for (const Index p : held_[t])
-        coarse.triangle_of[p] = to_index(coarse.surface.triangles.size());
+      const Index number = to_index(coarse.surface.triangles.size());
+      for (const Index p : held_[t]) {
+        if (p < fine_.points.size()) {
+          coarse.triangle_of[p] = number;
+        } else {
+          coarse.parent[p - fine_.points.size()] = number;
+        }
+      }
       Triangle triangle = triangles_[t];
       for (Index& v : triangle) v = coarse.vertex_of[v];
       coarse.surface.triangles.push_back(triangle);
@@ -197,7 +218,7 @@ class FlatVertexRemoval {
 
   const TriangleSurface& fine_;
   std::vector<Triangle> triangles_;
-  std::vector<std::vector<Index>> held_;    ///< one per triangle: the vertices taken out in it
+  std::vector<std::vector<Index>> held_;    ///< one per triangle: see `position`
   std::vector<std::vector<Index>> around_;  ///< one per vertex: its triangles
   std::vector<char> removed_;
   std::vector<Index> ring_, other_ring_;

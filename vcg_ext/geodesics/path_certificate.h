@@ -2,6 +2,7 @@
 // From paths that are locally shortest to paths that are proven shortest.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_paths.h"
+#include "vcg_ext/geodesics/path_shortening.h"
 #include "vcg_ext/geodesics/surface_place.h"
 #include "vcg_ext/geodesics/vertex_cover.h"
 #include "vcg_ext/geodesics/window_propagation.h"
@@ -32,7 +34,9 @@ namespace detail {
 /// The surface that searches run on, with each vertex of the fine surface located on it.
 struct SearchSurface {
   HalfedgeMesh mesh;
-  std::vector<SurfacePlace> places;
+  std::vector<SurfacePlace> places;  ///< one per vertex of the fine surface
+  std::vector<Index> fine_vertex;    ///< one per vertex of `mesh`: its number on the fine surface
+  Rows<Index> parts;                 ///< one row per triangle of `mesh`: fine triangles in it
 };
 
 inline SearchSurface make_search_surface(const TriangleSurface& fine, bool skip_flat_vertices) {
@@ -41,11 +45,21 @@ inline SearchSurface make_search_surface(const TriangleSurface& fine, bool skip_
     const CoarseSurface coarse = without_flat_vertices(fine);
     search.mesh = make_halfedge_mesh(coarse.surface);
     search.places = places_on_coarse(fine, coarse, search.mesh);
+    search.fine_vertex.resize(coarse.surface.points.size());
+    for (Index v = 0; v < fine.points.size(); ++v) {
+      if (coarse.vertex_of[v] != kNone) search.fine_vertex[coarse.vertex_of[v]] = v;
+    }
+    search.parts = group_by_key(coarse.parent, coarse.surface.triangles.size());
     return search;
   }
   search.mesh = make_halfedge_mesh(fine);
   for (Index v = 0; v < fine.points.size(); ++v) {
     search.places.push_back(place_of_vertex(search.mesh, v));
+    search.fine_vertex.push_back(v);
+  }
+  for (Index t = 0; t < fine.triangles.size(); ++t) {
+    search.parts.items.push_back(t);
+    search.parts.close_row();
   }
   return search;
 }
@@ -58,103 +72,192 @@ class Certifier {
       : mesh_(mesh),
         search_(search),
         proving_(search.mesh, pruning),
-        repairing_(mesh, pruning),
-        funnel_(mesh),
-        slack_(1e-9 * mesh.mean_edge) {}
+        searching_(mesh, pruning),
+        shortener_(mesh),
+        allowed_(mesh.triangle_count(), 0) {}
 
   /// Proves or repairs the paths of `served`, all of which have `start` at one end.
   void certify(Index start, Row<Index> served, const std::vector<VertexPair>& pairs,
                PairPaths& paths) {
     const auto end_of = [&](Index id) { return pairs[id].a == start ? pairs[id].b : pairs[id].a; };
-    targets_.clear();
+    proving_targets_.clear();
     for (const Index id : served) {
-      targets_.push_back({search_.places[end_of(id)], paths.length[id]});
+      proving_targets_.push_back({search_.places[end_of(id)], paths.length[id]});
     }
-    if (!proving_.run(search_.places[start], targets_)) return;
-    targets_.clear();
-    shorter_.clear();
+    proving_start_ = search_.places[start];
+    if (!proving_.run(proving_start_, proving_targets_)) return;
     for (std::size_t slot = 0; slot < served.size(); ++slot) {
       const Index id = served[slot];
       const double found = proving_.distance(slot);
       if (agree(found, paths.length[id])) {
         paths.certification[id] = Certification::kProven;
       } else if (found < paths.length[id]) {
-        targets_.push_back({place_of_vertex(mesh_, end_of(id)), found + slack_});
-        shorter_.push_back(id);
+        repair(start, slot, id, pairs[id], paths);
       }
     }
-    if (!shorter_.empty()) repair(start, pairs, paths);
   }
+
+  /// The pairs whose paths were replaced so far.
+  std::vector<Index>& improved() { return improved_; }
 
  private:
-  bool agree(double found, double length) const {
-    return std::abs(found - length) <= slack_ + 1e-12 * length;
+  static bool agree(double found, double length) {
+    constexpr double kRounding = 1e-11;  // of long sums of lengths
+    return std::abs(found - length) <= kRounding * length;
   }
 
-  /// Searches again on the surface itself, now with a close bound, for the paths known to exist.
-  void repair(Index start, const std::vector<VertexPair>& pairs, PairPaths& paths) {
-    if (!repairing_.run(place_of_vertex(mesh_, start), targets_)) return;
-    for (std::size_t slot = 0; slot < shorter_.size(); ++slot) {
-      const Index id = shorter_[slot];
-      if (!(repairing_.distance(slot) < paths.length[id])) continue;
-      std::vector<Index> corridor = corridor_of_pieces(mesh_, repairing_.pieces(slot));
-      if (start != pairs[id].a) corridor = reversed_corridor(mesh_, corridor);
-      paths.length[id] = funnel_.straighten(pairs[id].a, pairs[id].b, corridor);
-      paths.corridor[id] = std::move(corridor);
-      if (agree(repairing_.distance(slot), paths.length[id])) {
-        paths.certification[id] = Certification::kProven;
+  /// Finds the shorter path that the last search proved to exist on the surface itself: first in
+  /// the triangles about its corridor, then, should that fail, anywhere.
+  void repair(Index start, std::size_t slot, Index id, const VertexPair& pair, PairPaths& paths) {
+    const double found = proving_.distance(slot);
+    const Index end = pair.a == start ? pair.b : pair.a;
+    targets_.assign(1, {place_of_vertex(mesh_, end), found * (1.0 + 1e-10)});
+    allow_corridor(slot);
+    searching_.keep_to(&allowed_);
+    bool is_found = search_for(start, found);
+    for (const Index t : opened_) allowed_[t] = 0;
+    searching_.keep_to(nullptr);
+    if (!is_found) is_found = search_for(start, found);
+    if (!is_found) return;
+    std::vector<Index> corridor = corridor_of_pieces(mesh_, searching_.pieces(0));
+    if (start != pair.a) corridor = reversed_corridor(mesh_, corridor);
+    const double length = shortener_.shorten(pair.a, pair.b, corridor);
+    if (!agree(found, length)) return;
+    paths.length[id] = length;
+    paths.corridor[id] = std::move(corridor);
+    paths.certification[id] = Certification::kProven;
+    improved_.push_back(id);
+  }
+
+  bool search_for(Index start, double length) {
+    return searching_.run(place_of_vertex(mesh_, start), targets_) &&
+           agree(searching_.distance(0), length);
+  }
+
+  /// Allows the triangles in the corridor of the path found to a target, and those that touch them.
+  void allow_corridor(std::size_t slot) {
+    opened_.clear();
+    for (const PathPiece& piece : proving_.pieces(slot)) {
+      for (const Index h : piece.crossed) {
+        allow_part(triangle_of(h));
+        allow_part(triangle_of(search_.mesh.opposite(h)));
+      }
+      for (const Index end : {piece.from, piece.to}) {
+        if (end != kNone) allow_about(search_.fine_vertex[end]);
       }
     }
+    for (const SurfacePlace& place : {proving_start_, proving_targets_[slot].place}) {
+      if (place.triangle != kNone) allow_part(place.triangle);
+    }
+  }
+
+  /// Allows the surface's triangles in a triangle of the search surface.
+  void allow_part(Index triangle) {
+    for (const Index t : search_.parts[triangle]) {
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) allow_about(mesh_.tail(h));
+    }
+  }
+
+  void allow_about(Index v) {
+    Index h = mesh_.outgoing[v];
+    do {
+      const Index t = triangle_of(h);
+      if (allowed_[t] == 0) opened_.push_back(t);
+      allowed_[t] = 1;
+      h = mesh_.rotated(h);
+    } while (h != mesh_.outgoing[v]);
   }
 
   const HalfedgeMesh& mesh_;
   const SearchSurface& search_;
   WindowPropagation proving_;    ///< on the search surface
-  WindowPropagation repairing_;  ///< on the surface itself
-  Funnel funnel_;
-  double slack_;
-  std::vector<PropagationTarget> targets_;
-  std::vector<Index> shorter_;  ///< pairs that have a shorter path than the one known
+  WindowPropagation searching_;  ///< on the surface itself
+  PathShortener shortener_;
+  SurfacePlace proving_start_;
+  std::vector<PropagationTarget> proving_targets_;
+  std::vector<PropagationTarget> targets_;  ///< of a repair
+  std::vector<char> allowed_;               ///< one per triangle: whether repairs may use it
+  std::vector<Index> opened_;               ///< the triangles allowed
+  std::vector<Index> improved_;
 };
 
 }  // namespace detail
 
-/// Replaces each path that isn't shortest by one that is, and marks as proven what an exhaustive
+/// Replaces paths that aren't shortest by ones that are, and marks as proven what an exhaustive
 /// search has confirmed. A pair whose search had to be given up for its size keeps its path and its
-/// mark. `mesh` is that of `surface`. Result independent of the number of threads.
-inline void certify_paths(const TriangleSurface& surface, const HalfedgeMesh& mesh,
-                          const std::vector<VertexPair>& pairs, unsigned threads,
-                          const CertificateOptions& options, const Progress& progress,
-                          PairPaths& paths) {
-  std::vector<double> weight(pairs.size(), 0.0);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const double straight = (mesh.points[pairs[i].a] - mesh.points[pairs[i].b]).norm();
-    if (!(paths.length[i] < std::numeric_limits<double>::infinity())) continue;
-    if (paths.length[i] <= straight * (1.0 + 1e-12)) {
-      paths.certification[i] = Certification::kProven;
-    } else {
-      weight[i] = paths.length[i] * paths.length[i];
-    }
-  }
-  const SearchPlan plan = plan_searches(pairs, weight, mesh.vertex_count());
-  const detail::SearchSurface search =
-      detail::make_search_surface(surface, options.skip_flat_vertices);
-
-  threads = thread_count(threads);
-  std::vector<std::unique_ptr<detail::Certifier>> certifiers(threads);
-  constexpr std::size_t kSteps = 64;  // of progress
-  for (std::size_t step = 0; step < kSteps; ++step) {
-    progress.report(static_cast<double>(step) / kSteps, "Proving geodesics");
-    const std::size_t first = plan.starts.size() * step / kSteps;
-    const std::size_t last = plan.starts.size() * (step + 1) / kSteps;
-    parallel_for(last - first, threads, 4, [&](std::size_t i, unsigned worker) {
-      auto& certifier = certifiers[worker];
-      if (!certifier) {
-        certifier = std::make_unique<detail::Certifier>(mesh, search, options.pruning);
+/// mark. The result is independent of the number of threads.
+class PathCertificate {
+ public:
+  /// `mesh` is that of `surface`; all arguments must outlive the certificate.
+  PathCertificate(const TriangleSurface& surface, const HalfedgeMesh& mesh,
+                  const std::vector<VertexPair>& pairs, unsigned threads,
+                  const CertificateOptions& options, PairPaths& paths)
+      : mesh_(mesh),
+        pairs_(pairs),
+        options_(options),
+        paths_(paths),
+        search_(detail::make_search_surface(surface, options.skip_flat_vertices)),
+        certifiers_(thread_count(threads)) {
+    std::vector<double> weight(pairs.size(), 0.0);
+    for (Index i = 0; i < pairs.size(); ++i) {
+      if (!paths.has(i)) continue;
+      const double straight = (mesh.points[pairs[i].a] - mesh.points[pairs[i].b]).norm();
+      if (paths.length[i] <= straight * (1.0 + 1e-12)) {
+        paths.certification[i] = Certification::kProven;
+      } else {
+        weight[i] = paths.length[i] * paths.length[i];
       }
-      certifier->certify(plan.starts[first + i], plan.pairs[first + i], pairs, paths);
-    });
+    }
+    plan_ = plan_searches(pairs, weight, mesh.vertex_count());
+    done_.assign(plan_.starts.size(), 0);
   }
-}
+
+  /// Certifies the pairs of every `stride`-th search not yet done; 1 does all that are left.
+  /// Returns the pairs whose paths were replaced.
+  std::vector<Index> run(std::size_t stride, const Progress& progress) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < done_.size(); i += stride) {
+      if (done_[i] == 0) chosen.push_back(i);
+      done_[i] = 1;
+    }
+    constexpr std::size_t kSteps = 64;  // of progress
+    for (std::size_t step = 0; step < kSteps; ++step) {
+      progress.report(static_cast<double>(step) / kSteps, "Proving geodesics");
+      const std::size_t first = chosen.size() * step / kSteps;
+      const std::size_t last = chosen.size() * (step + 1) / kSteps;
+      parallel_for(
+          last - first, to_index(certifiers_.size()), 4, [&](std::size_t i, unsigned worker) {
+            auto& certifier = certifiers_[worker];
+            if (!certifier) {
+              certifier = std::make_unique<detail::Certifier>(mesh_, search_, options_.pruning);
+            }
+            const std::size_t search = chosen[first + i];
+            certifier->certify(plan_.starts[search], plan_.pairs[search], pairs_, paths_);
+          });
+    }
+    return take_improved();
+  }
+
+ private:
+  std::vector<Index> take_improved() {
+    std::vector<Index> improved;
+    for (auto& certifier : certifiers_) {
+      if (!certifier) continue;
+      improved.insert(improved.end(), certifier->improved().begin(), certifier->improved().end());
+      certifier->improved().clear();
+    }
+    std::sort(improved.begin(), improved.end());
+    return improved;
+  }
+
+  const HalfedgeMesh& mesh_;
+  const std::vector<VertexPair>& pairs_;
+  CertificateOptions options_;
+  PairPaths& paths_;
+  detail::SearchSurface search_;
+  SearchPlan plan_;
+  std::vector<char> done_;                                      ///< one per search
+  std::vector<std::unique_ptr<detail::Certifier>> certifiers_;  ///< one per thread
+};
 
 }  // namespace mgf

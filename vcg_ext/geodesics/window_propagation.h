@@ -66,11 +66,15 @@ class WindowPropagation {
     return complete;
   }
 
+  /// From now on keeps to the triangles t with allowed[t] != 0; nullptr allows all. What is found
+  /// then is the shortest path among those in the triangles allowed.
+  void keep_to(const std::vector<char>* allowed) { allowed_ = allowed; }
+
   /// Length of the path found to target i of the last run; infinity if there is none.
   double distance(std::size_t i) const { return targets_[i].distance; }
 
-  /// The path to target i of the last run as straight pieces in order. Requires a finite distance
-  /// and both ends at vertices.
+  /// The path to target i of the last run as straight pieces in order. Requires a finite distance.
+  /// An end that is no vertex is kNone.
   std::vector<PathPiece> pieces(std::size_t i) const {
     std::vector<PathPiece> path;
     Index vertex = targets_[i].place.vertex;
@@ -400,6 +404,7 @@ class WindowPropagation {
   void add_window(const Window& w, Index third, Vec2 third_place, bool third_is_right) {
     const double length = mesh_.halfedges[w.halfedge].length;
     if (w.right - w.left <= 1e-13 * length) return;
+    if (allowed_ != nullptr && (*allowed_)[triangle_of(w.halfedge)] == 0) return;
     if (is_dominated(w)) return;
     if (pruning_.vertex_filters && third != kNone) {
       // The segment from the third vertex to the window's far end crosses all of its rays.
@@ -465,6 +470,7 @@ class WindowPropagation {
   std::vector<Target> targets_;
   std::vector<std::vector<Index>> buckets_;
   std::size_t current_bucket_ = 0;
+  const std::vector<char>* allowed_ = nullptr;
   std::size_t last_keeper_ = 0;  ///< target that last kept a window
   double reach_ = 0.0;           ///< no path longer than this matters
 };
