@@ -34,6 +34,7 @@ inline CurveSkeleton tube_skeleton(std::vector<Vec3> nodes, std::vector<std::arr
   skeleton.eccentricity.assign(m, 1.0);
   skeleton.theta_birth.assign(m, kAlwaysThere);
   skeleton.contacts.assign(m, Triangle{0, 1, 2});
+  skeleton.outside.assign(m, 0);
   skeleton.voronoi_edge.resize(m);
   std::iota(skeleton.voronoi_edge.begin(), skeleton.voronoi_edge.end(), Index{0});
   return skeleton;

@@ -162,6 +162,8 @@ TEST(Smoothing, CountsEdgesThatAreOutsideInTheRawOneToo) {
   const SmoothSkeleton smooth = smooth_skeleton(raw, build_branches(raw), broken_in_the_middle);
   EXPECT_GE(smooth.outside_edges, 1U);
   EXPECT_LT(smooth.outside_edges, smooth.edge_count());
+  EXPECT_EQ(std::count(smooth.outside.begin(), smooth.outside.end(), char{1}),
+            static_cast<long>(smooth.outside_edges));
 }
 
 TEST(Smoothing, CarriesTheMeasuresOfTheEdgeBeneath) {

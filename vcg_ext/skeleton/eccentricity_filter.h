@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
@@ -52,7 +53,7 @@ inline std::vector<double> filtered_eccentricity(const CurveSkeleton& skeleton,
     const bool closed = branch.first_node == branch.last_node &&
                         graph.node_kind[branch.first_node] == NodeKind::kRegular;
     for (std::size_t i = 0; i < branch.edges.size(); ++i) {
-      const double rho = skeleton.mgf[branch.edges[i]] / M_PI;
+      const double rho = skeleton.mgf[branch.edges[i]] / kPi;
       std::vector<double> values;
       std::vector<double> weights;
       eccentricity_filter::for_each_near(length, i, eccentricity_filter::kReach * rho, closed,

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branches.h"
@@ -26,7 +27,7 @@ inline constexpr double kTrunkMargin = 1.25;
 
 /// Local radius by the medial geodesic function: that of the tube with this MGF.
 inline double rho(const CurveSkeleton& skeleton, Index node) {
-  return skeleton.node_mgf[node] / M_PI;
+  return skeleton.node_mgf[node] / kPi;
 }
 
 /// Whether a branch only links two junctions of one zone: it is no longer than their radius.

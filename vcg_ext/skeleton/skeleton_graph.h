@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -17,12 +16,10 @@
 #include "vcg_ext/medial/placement.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/erosion.h"
+#include "vcg_ext/skeleton/segment_inside.h"
 #include "vcg_ext/skeleton/theta_births.h"
 
 namespace mgf {
-
-/// Whether the straight segment between two points stays inside the shape.
-using SegmentInside = std::function<bool(const Vec3&, const Vec3&)>;
 
 /// A curve skeleton as drawn.
 struct SkeletonDrawing {

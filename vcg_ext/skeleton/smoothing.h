@@ -7,26 +7,24 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/graph_edits.h"
 #include "vcg_ext/skeleton/resampling.h"
+#include "vcg_ext/skeleton/segment_inside.h"
 #include "vcg_ext/skeleton/stiff_curve.h"
 
 namespace mgf {
 
-/// Whether the straight segment between two points lies inside the shape.
-using SegmentInside = std::function<bool(const Vec3&, const Vec3&)>;
-
 /// How smooth, and how near to the raw skeleton.
 struct SmoothingOptions {
-  double step = 0.25;                     ///< between nodes along a branch, in local radii
-  double max_shift = 0.5;                 ///< of a point from its raw place, in local radii
-  double max_turning = 5.0 / 180 * M_PI;  ///< mean angle between segments to aim at, radians
+  double step = 0.25;                    ///< between nodes along a branch, in local radii
+  double max_shift = 0.5;                ///< of a point from its raw place, in local radii
+  double max_turning = 5.0 / 180 * kPi;  ///< mean angle between segments to aim at, radians
 };
 
 /// The smooth skeleton: a graph with the branches of the raw one, evenly resampled.
@@ -282,7 +280,9 @@ inline SmoothSkeleton smooth_skeleton(const CurveSkeleton& skeleton, const Branc
     turning.count += own.count;
   }
   for (const std::array<Index, 2>& ends : smooth.edge) {
-    if (!segment_inside(smooth.position[ends[0]], smooth.position[ends[1]])) ++smooth.outside_edges;
+    const bool inside = segment_inside(smooth.position[ends[0]], smooth.position[ends[1]]);
+    smooth.outside.push_back(inside ? 0 : 1);
+    if (!inside) ++smooth.outside_edges;
   }
   average_eccentricity(smooth);
   smooth.mean_turning = turning.mean();

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/input/refined_surface.h"
 #include "vcg_ext/skeleton/branch_chains.h"
@@ -48,7 +49,7 @@ inline Evidence weigh_evidence(Index face, const Row<Index>& circles, const Curv
   std::vector<double> radii;
   for (const Index circle : circles) {
     eccentricities.push_back(filtered[circle]);
-    radii.push_back(skeleton.mgf[circle] / M_PI);
+    radii.push_back(skeleton.mgf[circle] / kPi);
   }
   Evidence evidence;
   evidence.face = face;
@@ -90,7 +91,7 @@ inline std::vector<Index> without_islands(const FaceGraph& faces, std::vector<In
   for (Index f = 0; f < label.size(); ++f) {
     const Index piece = pieces.of_face[f];
     if (piece == kNone) continue;
-    disc[piece] += M_PI * rho[f] * rho[f] * faces.area[f] / pieces.area[piece];
+    disc[piece] += kPi * rho[f] * rho[f] * faces.area[f] / pieces.area[piece];
     for (const Index g : faces.neighbour[f]) {
       if (g == kNone || pieces.of_face[g] == kNone) continue;
       if (pieces.area[pieces.of_face[g]] > pieces.area[piece]) has_larger_neighbour[piece] = 1;
