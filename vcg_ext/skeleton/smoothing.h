@@ -102,6 +102,7 @@ inline Attempt smooth_within_limits(const BranchCurve& curve,
                                     const SegmentInside& segment_inside) {
   constexpr double kTighter = 8.0;
   std::vector<Vec3> raw;
+  raw.reserve(samples.size());
   for (const CurveSample& sample : samples) raw.push_back(sample.point);
   std::vector<double> tie(samples.size(), 1.0);
   Attempt attempt;
@@ -162,7 +163,7 @@ inline std::vector<char> retreat_inside(const std::vector<CurveSample>& samples,
     for (std::size_t k = 0; k < segments; ++k) {
       if (follows[k] || segment_inside(points[k], points[k + 1])) continue;
       changed = true;
-      follows[k] = on_curve[k] && on_curve[k + 1];
+      follows[k] = on_curve[k] != 0 && on_curve[k + 1] != 0 ? 1 : 0;
       put_back(k);
       put_back(k + 1);
       if (closed && (k == 0 || k + 1 == segments)) {
@@ -274,6 +275,7 @@ inline SmoothSkeleton smooth_skeleton(const CurveSkeleton& skeleton, const Branc
     smoothing::add_branch(skeleton, branch, b, curve, polyline, kept, smooth);
 
     std::vector<Vec3> points;
+    points.reserve(polyline.size());
     for (const CurveSample& sample : polyline) points.push_back(sample.point);
     const smoothing::Turning own = smoothing::turning_of(points);
     turning.sum += own.sum;

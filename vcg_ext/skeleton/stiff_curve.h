@@ -23,6 +23,7 @@ inline std::vector<Vec3> stiff_curve(const std::vector<Vec3>& places,
                                      bool closed) {
   const int count = static_cast<int>(places.size());
   const int first_free = closed ? 0 : 1;
+  const auto offset = static_cast<std::size_t>(first_free);
   const int free_count = closed ? count - 1 : count - 2;
   if (free_count <= 0) return places;
   const auto unknown = [&](int k) { return closed ? (k + free_count) % free_count : k - 1; };
@@ -31,7 +32,7 @@ inline std::vector<Vec3> stiff_curve(const std::vector<Vec3>& places,
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::Matrix<double, Eigen::Dynamic, 3> target(free_count, 3);
   for (int i = 0; i < free_count; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i + first_free);
+    const std::size_t k = static_cast<std::size_t>(i) + offset;
     entries.emplace_back(i, i, tie[k]);
     target.row(i) = tie[k] * places[k].transpose();
   }
@@ -61,7 +62,7 @@ inline std::vector<Vec3> stiff_curve(const std::vector<Vec3>& places,
 
   std::vector<Vec3> points = places;
   for (int i = 0; i < free_count; ++i) {
-    points[static_cast<std::size_t>(i + first_free)] = solution.row(i).transpose();
+    points[static_cast<std::size_t>(i) + offset] = solution.row(i).transpose();
   }
   if (closed) points.back() = points.front();
   return points;
