@@ -22,6 +22,15 @@ struct SurfacePoint {
   double distance = 0.0;  ///< from where the question was asked, mesh units
 };
 
+/// The point of segment ab nearest to p.
+inline Vec3 nearest_point_of_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double share = (p - a).dot(along) / along.squaredNorm();
+  // Written so that a segment of length 0 gives its end.
+  if (share >= 1.0) return b;
+  return share > 0.0 ? Vec3(a + share * along) : a;
+}
+
 /// The point of triangle abc nearest to p.
 Vec3 nearest_point_of_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
@@ -132,11 +141,6 @@ inline int perturbed_orientation_from_above(const Vec3& a, const Vec3& b, const 
 }  // namespace detail
 
 inline Vec3 nearest_point_of_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const auto on_segment = [&p](const Vec3& from, const Vec3& to) -> Vec3 {
-    const Vec3 along = to - from;
-    const double t = (p - from).dot(along) / along.squaredNorm();
-    return t <= 0.0 ? from : t >= 1.0 ? to : from + t * along;
-  };
   const Vec3 normal = (b - a).cross(c - a);
   const bool within = normal.dot((b - a).cross(p - a)) >= 0.0 &&
                       normal.dot((c - b).cross(p - b)) >= 0.0 &&
@@ -144,8 +148,8 @@ inline Vec3 nearest_point_of_triangle(const Vec3& p, const Vec3& a, const Vec3& 
   if (within && normal.squaredNorm() > 0.0) {
     return p - (p - a).dot(normal) / normal.squaredNorm() * normal;
   }
-  Vec3 best = on_segment(a, b);
-  for (const Vec3& other : {on_segment(b, c), on_segment(c, a)}) {
+  Vec3 best = nearest_point_of_segment(p, a, b);
+  for (const Vec3& other : {nearest_point_of_segment(p, b, c), nearest_point_of_segment(p, c, a)}) {
     if ((other - p).squaredNorm() < (best - p).squaredNorm()) best = other;
   }
   return best;

@@ -103,11 +103,12 @@ class FaceThickness {
     const double v = (j + shift) / kParts;
     return {u, v, 1.0 - u - v};
   }
+  /// Row i has 7 - 2 i parts, upright and upside-down in turn.
   static std::size_t cell(int i, int j, bool upside_down) {
-    return static_cast<std::size_t>((i * kParts + j) * 2 + (upside_down ? 1 : 0));
+    return static_cast<std::size_t>(i * (2 * kParts - i) + 2 * j + (upside_down ? 1 : 0));
   }
 
-  std::array<double, static_cast<std::size_t>(2 * kParts * kParts)> at_{};
+  std::array<double, static_cast<std::size_t>(kParts* kParts)> at_{};
 };
 
 }  // namespace mgf
