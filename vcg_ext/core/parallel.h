@@ -22,8 +22,8 @@ inline unsigned thread_count(unsigned requested) {
 /// stops the loop and is rethrown here after all workers have ended.
 template <class Body>
 void parallel_for(std::size_t count, unsigned threads, std::size_t chunk, const Body& body) {
-  threads = static_cast<unsigned>(
-      std::min<std::size_t>(threads, std::max<std::size_t>(1, count / std::max<std::size_t>(chunk, 1))));
+  threads = static_cast<unsigned>(std::min<std::size_t>(
+      threads, std::max<std::size_t>(1, count / std::max<std::size_t>(chunk, 1))));
   if (threads <= 1) {
     for (std::size_t i = 0; i < count; ++i) body(i, 0U);
     return;

@@ -20,7 +20,7 @@ struct ErodedComplex {
   std::vector<char> facet_alive;
   std::vector<double> mark_score;  ///< one per edge: its score if it is marked, else kUnmarkable
   Index residual_facets = 0;       ///< facets that no collapse could reach
-  Index pockets_opened = 0;        ///< facets removed without a collapse: each changes b1 or b2 by 1
+  Index pockets_opened = 0;  ///< facets removed without a collapse: each changes b1 or b2 by 1
 };
 
 /// Collapses (edge, facet) and (vertex, edge) pairs in the given order until none is left whose
@@ -32,8 +32,7 @@ struct ErodedComplex {
 /// with two rooms): it is kept, or, with `open_pockets`, opened at its lowest facet.
 class Erosion {
  public:
-  Erosion(const MedialComplex& complex, const ErosionOrder& order,
-          const std::vector<double>& mgf)
+  Erosion(const MedialComplex& complex, const ErosionOrder& order, const std::vector<double>& mgf)
       : complex_(complex), order_(order), mgf_(mgf) {}
 
   /// `marks` ascending by score, as `choose_marks` gives them. n log n.
@@ -60,7 +59,8 @@ class Erosion {
     edges_of_vertex_.assign(complex_.vertex_count(), 0);
     marks_of_vertex_.assign(complex_.vertex_count(), 0);
     for (std::size_t e = 0; e < complex_.edge_count(); ++e) {
-      for (const Index facet : complex_.edge_facets[e]) facets_of_edge_[e] += facet != kNone ? 1 : 0;
+      for (const Index facet : complex_.edge_facets[e])
+        facets_of_edge_[e] += facet != kNone ? 1 : 0;
       for (const Index v : complex_.edge_vertices[e]) ++edges_of_vertex_[v];
     }
     marks_ = marks;

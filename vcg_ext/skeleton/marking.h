@@ -54,8 +54,8 @@ inline std::vector<double> divergence_scores(const MedialComplex& complex,
       const Index facet = complex.edge_facets[e][i];
       if (facet == kNone) continue;
       ++facets;
-      const Vec3 normal = detail::normal_towards_facet(
-          points[dual[(i + 1) % 3]], points[dual[(i + 2) % 3]], points[dual[i]]);
+      const Vec3 normal = detail::normal_towards_facet(points[dual[(i + 1) % 3]],
+                                                       points[dual[(i + 2) % 3]], points[dual[i]]);
       const Vec3& gradient = field.gradient[facet];
       const bool defined = !normal.isZero(0.0) && !gradient.isZero(0.0);
       largest = std::max(largest, defined ? gradient.dot(normal) : kUnmarkable);
@@ -86,10 +86,10 @@ inline std::vector<Index> choose_marks(const MedialComplex& complex,
   std::vector<char> facet_used(complex.facet_count(), 0);
   for (const Index e : candidates) {
     const auto& facets = complex.edge_facets[e];
-    const bool blocked =
-        rule == MarkingRule::kOnePerFacet &&
-        std::any_of(facets.begin(), facets.end(),
-                    [&](Index facet) { return facet != kNone && facet_used[facet] != 0; });
+    const bool blocked = rule == MarkingRule::kOnePerFacet &&
+                         std::any_of(facets.begin(), facets.end(), [&](Index facet) {
+                           return facet != kNone && facet_used[facet] != 0;
+                         });
     if (blocked || !joined.join(complex.edge_vertices[e][0], complex.edge_vertices[e][1])) continue;
     marks.push_back(e);
     for (const Index facet : facets) {

@@ -21,8 +21,8 @@ namespace mgf {
 
 /// When the cells of an eroded complex appear.
 struct ThetaBirths {
-  std::vector<double> edge;       ///< one per Voronoi edge; meaningful where the edge is alive
-  std::vector<Index> last_vertex; ///< per tree component, the vertex left when every edge is gone
+  std::vector<double> edge;        ///< one per Voronoi edge; meaningful where the edge is alive
+  std::vector<Index> last_vertex;  ///< per tree component, the vertex left when every edge is gone
 };
 
 /// Peels the live edges leaf by leaf, the one that can go at the largest theta first. An edge is in
