@@ -4,6 +4,7 @@
 
 #include "geodesics_fixtures.h"
 #include "vcg_ext/geodesics/compute_pair_geodesics.h"
+#include "vcg_ext/geodesics/surface_path.h"
 
 namespace mgf::test {
 namespace {
@@ -213,6 +214,37 @@ TEST(GeodesicsExactness, LinksChangeNoLength) {
   const PairGeodesics plain = solve(rough, pairs);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     EXPECT_NEAR(linked.length[i], plain.length[i], 1e-11 * plain.length[i]);
+  }
+}
+
+TEST(GeodesicsExactness, DrawnPathsHaveTheLengthAndLieInTheirFaces) {
+  for (const TriangleSurface& surface :
+       {bumpy_sphere(3, 0.3, 4), gridded_box(Vec3(3, 2, 1), 6, 4, 2)}) {
+    const HalfedgeMesh mesh = make_halfedge_mesh(surface);
+    const std::vector<VertexPair> pairs = random_pairs(surface, 400, 12);
+    const PairGeodesics result = solve(surface, pairs);
+    for (Index i = 0; i < pairs.size(); ++i) {
+      const SurfacePath path = path_of_pair(mesh, pairs, result, i);
+      ASSERT_EQ(path.points.size(), path.faces.size() + 1);
+      double length = 0.0;
+      for (std::size_t k = 0; k < path.faces.size(); ++k) {
+        length += (path.points[k + 1] - path.points[k]).norm();
+        const Triangle& t = surface.triangles[path.faces[k]];
+        const Vec3& corner = surface.points[t[0]];
+        const Vec3 u = surface.points[t[1]] - corner;
+        const Vec3 v = surface.points[t[2]] - corner;
+        for (const Vec3& p : {path.points[k], path.points[k + 1]}) {
+          const Vec3 n = u.cross(v);
+          const double at_u = (p - corner).cross(v).dot(n) / n.squaredNorm();
+          const double at_v = u.cross(p - corner).dot(n) / n.squaredNorm();
+          EXPECT_NEAR(n.normalized().dot(p - corner), 0.0, 1e-9);
+          EXPECT_GT(std::min({at_u, at_v, 1.0 - at_u - at_v}), -1e-9);
+        }
+      }
+      EXPECT_NEAR(length, result.length[i], 1e-10);
+      EXPECT_LT((path.points.front() - surface.points[pairs[i].a]).norm(), 1e-12);
+      EXPECT_LT((path.points.back() - surface.points[pairs[i].b]).norm(), 1e-12);
+    }
   }
 }
 

@@ -405,16 +405,17 @@ class WindowPropagation {
     const double length = mesh_.halfedges[w.halfedge].length;
     if (w.right - w.left <= 1e-13 * length) return;
     if (allowed_ != nullptr && (*allowed_)[triangle_of(w.halfedge)] == 0) return;
-    if (is_dominated(w)) return;
+    const Vec2 nearest{std::clamp(w.source.x, w.left, w.right), 0.0};
+    const double key = w.offset + norm(nearest - w.source);
+    if (key > padded(reach_) || is_dominated(w)) return;
     if (pruning_.vertex_filters && third != kNone) {
       // The segment from the third vertex to the window's far end crosses all of its rays.
       const Vec2 end{third_is_right ? w.left : w.right, 0.0};
       if (padded(bound_[third] + norm(end - third_place)) < w.offset + norm(end - w.source)) return;
     }
     if (pruning_.ellipse && !matters(w)) return;
-    const Vec2 nearest{std::clamp(w.source.x, w.left, w.right), 0.0};
     windows_.push_back(w);
-    push(w.offset + norm(nearest - w.source), to_index(windows_.size() - 1));
+    push(key, to_index(windows_.size() - 1));
   }
 
   /// Whether a path from an end of the window's edge along it is shorter at all of the window.
@@ -432,7 +433,7 @@ class WindowPropagation {
   bool matters(const Window& w) {
     const Vec3& tail = mesh_.points[mesh_.tail(w.halfedge)];
     const Vec3 axis =
-        (mesh_.points[mesh_.head(w.halfedge)] - tail) / mesh_.halfedges[w.halfedge].length;
+        (mesh_.points[mesh_.head(w.halfedge)] - tail) * (1.0 / mesh_.halfedges[w.halfedge].length);
     if (last_keeper_ < targets_.size() && serves(w, tail, axis, targets_[last_keeper_]))
       return true;
     for (std::size_t i = 0; i < targets_.size(); ++i) {
