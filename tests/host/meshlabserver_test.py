@@ -21,11 +21,10 @@ class Samples(HostTest):
         self.mesh = shapes.torus()
         self.write("torus.ply", self.mesh)
 
-    def run_sample(self, name, *save):
-        """Runs a sample on the torus; gives what meshlabserver said."""
-        output, status = host.meshlabserver(
-            "-i", "torus.ply", "-s", SAMPLES / f"{name}.mlx", *save, folder=self.folder
-        )
+    def run_sample(self, names, *save):
+        """Runs samples on the torus, one after the other; gives what meshlabserver said."""
+        scripts = [word for name in names.split() for word in ("-s", SAMPLES / f"{name}.mlx")]
+        output, status = host.meshlabserver("-i", "torus.ply", *scripts, *save, folder=self.folder)
         self.assertEqual(status, 0, output)
         self.assertNotIn("Error (", output)
         return output
@@ -69,7 +68,7 @@ class Samples(HostTest):
         self.assertEqual({ends.count(end) for end in ends}, {2})
 
     def test_level_of_detail_follows_the_curve_skeleton(self):
-        self.run_sample("level_of_detail", "-o", "saved.ply", "-l", "x", "-m", "fq")
+        self.run_sample("curve_skeleton level_of_detail", "-o", "saved.ply", "-l", "x", "-m", "fq")
         self.assertGreater(self.saved()["face"][0], 0)
 
     def test_segmentation_paints_the_faces_of_the_input(self):
@@ -96,7 +95,7 @@ class BadInput(HostTest):
     def test_each_filter_refuses_an_open_mesh_with_a_reason(self):
         self.write("open.ply", shapes.open_torus())
         for sample in sorted(SAMPLES.glob("*.mlx")):
-            if sample.stem == "check_mesh":
+            if sample.stem in ("check_mesh", "level_of_detail"):  # the one tells, the other needs a skeleton
                 continue
             with self.subTest(sample=sample.name):
                 output, status = host.meshlabserver(
