@@ -17,8 +17,8 @@
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
 namespace mgf {
-namespace certificate_detail {
 
+/// The same oriented triangle, smallest corner first.
 inline Triangle canonical(const Triangle& t) {
   const auto lowest = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
   return {t[lowest], t[(lowest + 1) % 3], t[(lowest + 2) % 3]};
@@ -29,6 +29,19 @@ inline std::vector<Triangle> canonical_sorted(std::vector<Triangle> faces) {
   std::sort(faces.begin(), faces.end());
   return faces;
 }
+
+/// Fills `interior.boundary` with the faces glued to nothing, outward.
+inline void collect_boundary(InteriorTetrahedra& interior) {
+  interior.boundary.clear();
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+    for (unsigned i = 0; i < 4; ++i) {
+      if (interior.neighbours[t][i] != kNone) continue;
+      interior.boundary.push_back(face_of(interior.tetrahedra[t], i));
+    }
+  }
+}
+
+namespace certificate_detail {
 
 // Faces where t names u as its neighbour but the two don't share that face with each other.
 inline Index asymmetries(const InteriorTetrahedra& interior) {
@@ -99,14 +112,8 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
       ++certificate.tetrahedra_not_positive;
     }
   }
-  std::vector<Triangle> found;
-  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
-    for (unsigned i = 0; i < 4; ++i) {
-      if (interior.neighbours[t][i] == kNone) found.push_back(face_of(interior.tetrahedra[t], i));
-    }
-  }
-  found = certificate_detail::canonical_sorted(std::move(found));
-  const std::vector<Triangle> wanted = certificate_detail::canonical_sorted(boundary);
+  const std::vector<Triangle> found = canonical_sorted(interior.boundary);
+  const std::vector<Triangle> wanted = canonical_sorted(boundary);
   std::vector<Triangle> difference;
   std::set_difference(wanted.begin(), wanted.end(), found.begin(), found.end(),
                       std::back_inserter(difference));
@@ -148,11 +155,11 @@ inline bool is_triangulated_box(const TetrahedralMesh& mesh, std::size_t hull) {
         continue;
       }
       const Triangle face = face_of(c, i);
-      const Triangle reverse = certificate_detail::canonical({face[0], face[2], face[1]});
+      const Triangle reverse = canonical({face[0], face[2], face[1]});
       bool answered = false;
       for (unsigned j = 0; j < 4 && mesh.alive(u); ++j) {
-        answered = answered || (mesh.neighbour(u, j) == t && certificate_detail::canonical(face_of(
-                                                                 mesh.corners(u), j)) == reverse);
+        answered = answered ||
+                   (mesh.neighbour(u, j) == t && canonical(face_of(mesh.corners(u), j)) == reverse);
       }
       if (!answered) return false;
     }

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The surface as recovery wants it: in an order of its own, within a box, beside the Delaunay
+// tetrahedralisation of its vertices.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/exact/delaunay.h"
+#include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/interior_tetrahedra.h"
+#include "vcg_ext/medial/spatial_order.h"
+#include "vcg_ext/medial/tetrahedral_mesh.h"
+#include "vcg_ext/medial/topology_certificate.h"
+
+namespace mgf {
+
+/// A surface whose used vertices are renumbered in spatial order and whose faces are sorted, so
+/// that nothing made from it depends on how the caller numbered them.
+struct OrderedSurface {
+  TriangleSurface surface;
+  std::vector<Index> original;  ///< the caller's number of each vertex
+};
+
+inline OrderedSurface in_spatial_order(const TriangleSurface& surface) {
+  std::vector<char> used(surface.points.size(), 0);
+  for (const Triangle& face : surface.triangles) {
+    for (const Index v : face) used[v] = 1;
+  }
+  std::vector<Index> vertices;
+  for (Index v = 0; v < used.size(); ++v) {
+    if (used[v] != 0) vertices.push_back(v);
+  }
+  OrderedSurface result;
+  result.original = spatial_order(surface.points, std::move(vertices));
+  std::vector<Index> number(surface.points.size(), kNone);
+  for (Index i = 0; i < result.original.size(); ++i) {
+    number[result.original[i]] = i;
+    result.surface.points.push_back(surface.points[result.original[i]]);
+  }
+  for (const Triangle& face : surface.triangles) {
+    result.surface.triangles.push_back({number[face[0]], number[face[1]], number[face[2]]});
+  }
+  result.surface.triangles = canonical_sorted(std::move(result.surface.triangles));
+  return result;
+}
+
+inline constexpr std::size_t kBoxCorners = 8;
+inline constexpr std::size_t kBoxFaces = 12;
+
+/// `points` and the eight corners of a box far outside, which keep the surface off the hull. The
+/// box is slightly irregular, which spares the triangulation cospherical cases.
+inline std::vector<Vec3> with_box(const std::vector<Vec3>& points) {
+  constexpr double kFar = 6.0;
+  constexpr double kIrregular[kBoxCorners] = {0.0, 0.031, 0.073, 0.011, 0.057, 0.097, 0.043, 0.083};
+  std::vector<Vec3> result = points;
+  Vec3 low = points.front();
+  Vec3 high = points.front();
+  for (const Vec3& p : points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const double reach = kFar * (high - low).norm();
+  for (unsigned i = 0; i < kBoxCorners; ++i) {
+    const Vec3 corner((i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
+                      (i & 4U) != 0 ? 1.0 : -1.0);
+    result.push_back(0.5 * (low + high) + reach * (1.0 + kIrregular[i]) * corner);
+  }
+  return result;
+}
+
+/// The Delaunay tetrahedralisation of the vertices of an ordered surface, of the box, and of points
+/// added before recovery, in this order; and the faces to be recovered.
+struct BoxedSurface {
+  std::vector<Vec3> points;
+  TetrahedronArrays delaunay;
+  std::vector<Triangle> faces;
+};
+
+/// `ordered` in its box.
+inline BoxedSurface boxed(const OrderedSurface& ordered) {
+  BoxedSurface result;
+  result.points = with_box(ordered.surface.points);
+  result.delaunay = delaunay_tetrahedra(result.points);
+  result.faces = ordered.surface.triangles;
+  return result;
+}
+
+/// A refinement of `ordered`, whose vertices come first in it, in the same box.
+inline BoxedSurface boxed(const OrderedSurface& ordered, const TriangleSurface& refined) {
+  BoxedSurface result;
+  const std::size_t own = ordered.surface.points.size();
+  result.points = with_box(ordered.surface.points);
+  result.points.insert(result.points.end(),
+                       refined.points.begin() + static_cast<std::ptrdiff_t>(own),
+                       refined.points.end());
+  result.delaunay = delaunay_tetrahedra(result.points);
+  result.faces = refined.triangles;
+  for (Triangle& face : result.faces) {
+    for (Index& v : face) {
+      if (v >= own) v += static_cast<Index>(kBoxCorners);
+    }
+  }
+  return result;
+}
+
+/// Gives `interior` and `boundary` the caller's numbers: its points, then the added ones. The box
+/// is dropped.
+inline void restore_numbers(InteriorTetrahedra& interior, std::vector<Triangle>& boundary,
+                            const OrderedSurface& ordered, const std::vector<Vec3>& caller_points) {
+  const std::size_t own = ordered.original.size();
+  std::vector<Index> number(interior.points.size(), kNone);
+  std::vector<Vec3> points = caller_points;
+  for (Index v = 0; v < number.size(); ++v) {
+    if (v < own) {
+      number[v] = ordered.original[v];
+    } else if (v >= own + kBoxCorners) {
+      number[v] = to_index(points.size());
+      points.push_back(interior.points[v]);
+    }
+  }
+  for (Tetrahedron& t : interior.tetrahedra) {
+    for (Index& v : t) v = number[v];
+  }
+  for (Triangle& face : boundary) {
+    for (Index& v : face) v = number[v];
+  }
+  interior.points = std::move(points);
+  interior.input_points = to_index(caller_points.size());
+}
+
+}  // namespace mgf

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One attempt at recovery, from the Delaunay tetrahedralisation to a mesh that has the surface.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "vcg_ext/core/progress.h"
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/boundary_recovery.h"
+#include "vcg_ext/medial/boxed_surface.h"
+#include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/lawson_cleanup.h"
+#include "vcg_ext/medial/surface_flips.h"
+#include "vcg_ext/medial/tetrahedral_mesh.h"
+
+namespace mgf {
+
+/// One way to try.
+struct AttemptOptions {
+  bool flat_flips;
+  bool guided_flips;
+  double growth;  ///< points that may be added: 200 and this share of the vertices
+  int recursive_attempts;
+  std::uint64_t seed;
+};
+
+/// How far an attempt came.
+struct RecoveredMesh {
+  TetrahedralMesh mesh;
+  ConstrainedSurface surface;  ///< T'
+  bool complete = false;       ///< every face of T' is a face of the mesh
+  Index surface_flips = 0;
+  Index points_added = 0;  ///< by recovery and before it
+};
+
+/// Flips T towards the mesh and recovers it. Bounded work; incomplete if the bounds didn't do.
+inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOptions& options,
+                                      const Progress& progress) {
+  RecoveredMesh result{
+      TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
+      ConstrainedSurface(boxed.points.size(), boxed.faces)};
+  if (options.flat_flips) result.surface_flips += flip_coplanar_edges(boxed.points, result.surface);
+  if (options.guided_flips) result.surface_flips += flip_towards(result.mesh, result.surface);
+  RecoveryLimits limits;
+  limits.added_points =
+      200 + static_cast<std::size_t>(options.growth * static_cast<double>(boxed.points.size()));
+  limits.recursive_attempts = options.recursive_attempts;
+  limits.seed = options.seed;
+  BoundaryRecovery recovery(result.mesh, result.surface, limits);
+  result.complete = recovery.run(progress);
+  result.points_added = recovery.points_added();
+  if (result.complete) LawsonCleanup(result.mesh, result.surface).run();
+  return result;
+}
+
+}  // namespace mgf
