@@ -127,13 +127,24 @@ TEST(Placement, LeavesACircumcentreThatLiesInANeighbour) {
   EXPECT_EQ(complex.position[0], before);
 }
 
-TEST(Placement, PutsAFlatTetrahedronsVertexAtItsCentroid) {
+TEST(Placement, PutsALoneFlatTetrahedronsVertexAtItsCentroid) {
   const InteriorTetrahedra interior =
       from_tetrahedra({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});
   MedialComplex complex = build_medial_complex(interior);
   place_voronoi_vertices(interior, complex);
-  EXPECT_EQ(complex.displaced[0], 1);
   EXPECT_TRUE(complex.position[0].isApprox(Vec3(0.5, 0.5, 0.0)));
+  EXPECT_NEAR(complex.radius[0], std::sqrt(0.5), 1e-15);
+}
+
+TEST(Placement, PutsAFlatTetrahedronsVertexBetweenItsNeighbours) {
+  // A cocircular square seen from an apex on either side: its own circumcentre is anywhere.
+  const InteriorTetrahedra interior = from_tetrahedra(
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 1e-16}, {0.5, 0.5, 0.8}, {0.5, 0.5, -0.8}},
+      {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 2, 3, 4}, {1, 0, 3, 5}, {1, 3, 2, 5}});
+  MedialComplex complex = build_medial_complex(interior);
+  place_voronoi_vertices(interior, complex);
+  EXPECT_NEAR(complex.position[0].z(), 0.0, 1e-9);
+  EXPECT_NEAR(complex.position[0].x(), 0.5, 1e-9);
 }
 
 }  // namespace

@@ -135,6 +135,17 @@ TEST(Pipeline, ATorusHasOneLoopAndNoTip) {
   EXPECT_EQ(count_kind(skeleton, NodeKind::kTip), 0U);
 }
 
+TEST(Pipeline, ATorusOfRevolutionsSkeletonIsItsCentreCircle) {
+  // Every four contacts of a quad lie on a circle, so that most circumcentres are ill-conditioned.
+  const CurveSkeleton skeleton = Study(torus(80, 24, 2.0, 0.5)).skeleton();
+  EXPECT_EQ(count_kind(skeleton, NodeKind::kTip), 0U);
+  double length = 0.0;
+  for (const auto& ends : skeleton.edge) {
+    length += (skeleton.position[ends[0]] - skeleton.position[ends[1]]).norm();
+  }
+  EXPECT_NEAR(length, 2 * kPi * 2.0, 0.01 * 2 * kPi * 2.0);
+}
+
 TEST(Pipeline, ACapsuleHasTwoTips) {
   const CurveSkeleton skeleton = Study(capsule_surface()).skeleton();
   EXPECT_EQ(betti_numbers(skeleton), (BettiNumbers{1, 0, 0}));

@@ -3,8 +3,12 @@
 // are does not depend on it, so it may be moved without touching the topology.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
@@ -59,12 +63,74 @@ inline Vec3 tetrahedron_centroid(const InteriorTetrahedra& interior, Index t) {
                  interior.points[corners[2]] + interior.points[corners[3]]);
 }
 
+namespace detail {
+
+/// Whether rounding leaves little of a tetrahedron's circumcentre: its corners are coplanar but for
+/// a few units in the last place (cocircular contacts, as on any surface of revolution).
+inline bool is_flat(const InteriorTetrahedra& interior, Index t) {
+  constexpr double kLeastVolume = 1e-11;  // of the cube of the longest edge: five digits are left
+  const Tetrahedron& corners = interior.tetrahedra[t];
+  const Vec3& p = interior.points[corners[0]];
+  const Vec3 a = interior.points[corners[1]] - p;
+  const Vec3 b = interior.points[corners[2]] - p;
+  const Vec3 c = interior.points[corners[3]] - p;
+  const double longest =
+      std::max({a.norm(), b.norm(), c.norm(), (b - a).norm(), (c - b).norm(), (a - c).norm()});
+  return !(std::abs(a.dot(b.cross(c))) > kLeastVolume * longest * longest * longest);
+}
+
+/// Puts the Voronoi vertices of flat tetrahedra between those of their neighbours, where exact
+/// arithmetic would have them, in rounds outward; at the centroid if no neighbour has a place.
+inline void place_flat_tetrahedra(const InteriorTetrahedra& interior, MedialComplex& complex) {
+  std::vector<char> placed(complex.vertex_count(), 1);
+  std::vector<Index> open;
+  for (Index t = 0; t < complex.vertex_count(); ++t) {
+    if (!is_flat(interior, t)) continue;
+    placed[t] = 0;
+    open.push_back(t);
+  }
+  while (!open.empty()) {
+    std::vector<Index> settled;
+    std::vector<Index> still_open;
+    for (const Index t : open) {
+      Vec3 sum = Vec3::Zero();
+      int count = 0;
+      for (const Index neighbour : interior.neighbours[t]) {
+        if (neighbour == kNone || placed[neighbour] == 0) continue;
+        sum += complex.position[neighbour];
+        ++count;
+      }
+      if (count > 0) complex.position[t] = sum / count;
+      (count > 0 ? settled : still_open).push_back(t);
+    }
+    for (const Index t : settled) placed[t] = 1;
+    if (settled.empty()) {
+      for (const Index t : still_open) complex.position[t] = tetrahedron_centroid(interior, t);
+      still_open.clear();
+    }
+    open = std::move(still_open);
+  }
+}
+
+/// Distance from a Voronoi vertex to the nearest of its four contacts.
+inline double contact_distance(const InteriorTetrahedra& interior, const MedialComplex& complex,
+                               Index t) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Index corner : interior.tetrahedra[t]) {
+    nearest = std::min(nearest, (interior.points[corner] - complex.position[t]).norm());
+  }
+  return nearest;
+}
+
+}  // namespace detail
+
 /// Moves each Voronoi vertex that its tetrahedron's centroid can't see inside the shape back along
 /// the line of sight, to nine tenths of what can be seen, and marks it as displaced. Afterwards
 /// every vertex is finite and inside T'. Cost: one short walk a vertex.
 inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialComplex& complex) {
   constexpr double kKeptShare = 0.9;
   constexpr std::size_t kStepLimit = 1000;
+  detail::place_flat_tetrahedra(interior, complex);
   const double far_away = 2.0 * bounding_box_diagonal(interior.points);
   for (Index t = 0; t < complex.vertex_count(); ++t) {
     const Vec3 centroid = tetrahedron_centroid(interior, t);
@@ -74,13 +140,12 @@ inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialCom
     if (distance <= far_away) {  // false for a circumcentre that is not finite
       share = detail::visible_share(interior, t, centroid, position, kStepLimit);
     }
-    if (share >= 1.0) continue;
-    position = share > 0.0 ? Vec3(centroid + kKeptShare * share * (position - centroid)) : centroid;
-    complex.displaced[t] = 1;
-    complex.radius[t] = far_away;
-    for (const Index corner : interior.tetrahedra[t]) {
-      complex.radius[t] = std::min(complex.radius[t], (interior.points[corner] - position).norm());
+    if (share < 1.0) {
+      position =
+          share > 0.0 ? Vec3(centroid + kKeptShare * share * (position - centroid)) : centroid;
+      complex.displaced[t] = 1;
     }
+    complex.radius[t] = detail::contact_distance(interior, complex, t);
   }
 }
 
