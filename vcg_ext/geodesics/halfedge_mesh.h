@@ -63,6 +63,7 @@ struct HalfedgeMesh {
                                     ///< from the tail's `outgoing`, on the surface
   std::vector<double> total_angle;  ///< one per vertex
   std::vector<Index> outgoing;      ///< one per vertex: a halfedge that leaves it, or kNone
+  std::vector<char> is_thin;        ///< one per triangle: so thin (kThin) that angles are uncertain
   double mean_edge = 0.0;
 
   std::size_t vertex_count() const { return points.size(); }
@@ -83,6 +84,8 @@ struct HalfedgeMesh {
 
   /// Angle defects below this are rounding.
   static constexpr double kFlatAngle = 1e-11;
+  /// Height over longest side below which the rounding of angles may show in lengths.
+  static constexpr double kThin = 1e-6;
 };
 
 namespace detail {
@@ -129,6 +132,7 @@ inline void lay_flat(HalfedgeMesh& mesh) {
     sum += edge.norm();
   }
   if (!mesh.halfedges.empty()) mesh.mean_edge = sum / static_cast<double>(mesh.halfedges.size());
+  mesh.is_thin.assign(mesh.triangle_count(), 0);
   for (Index h = 0; h < mesh.halfedges.size(); ++h) {
     Halfedge& side = mesh.halfedges[h];
     const Vec3& origin = mesh.points[side.tail];
@@ -138,6 +142,9 @@ inline void lay_flat(HalfedgeMesh& mesh) {
     if (!(side.length > 0.0)) side.length = kLeastHeight * std::max(longest, mesh.mean_edge);
     side.apex.x = edge.dot(arm) / side.length;
     side.apex.y = std::max(edge.cross(arm).norm() / side.length, kLeastHeight * longest);
+    if (std::min(side.apex.y, side.length) < HalfedgeMesh::kThin * longest) {
+      mesh.is_thin[triangle_of(h)] = 1;
+    }
   }
 }
 

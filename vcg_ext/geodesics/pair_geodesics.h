@@ -22,8 +22,8 @@ struct VertexPair {
 /// the mean edge length.
 enum class Certification : std::uint8_t {
   kUnproven,   ///< a locally shortest path, its length an upper bound
-  kPractical,  ///< no shorter path was found, but the search merged windows without carrying
-               ///< every error
+  kPractical,  ///< no shorter path was found, but the search met triangles too thin (1e-6) to be
+               ///< certain of every angle
   kProven,     ///< no shorter path exists: the search that pruned by this bound was exhaustive
 };
 

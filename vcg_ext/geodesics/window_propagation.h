@@ -98,6 +98,9 @@ class WindowPropagation {
     return path;
   }
 
+  /// Whether the last run came through a triangle that is too thin to be certain of.
+  bool met_thin_triangle() const { return met_thin_triangle_; }
+
   /// How many windows the last run made.
   std::size_t window_count() const { return windows_.size(); }
 
@@ -142,6 +145,7 @@ class WindowPropagation {
     refresh_reach();
     current_bucket_ = 0;
     last_keeper_ = 0;
+    met_thin_triangle_ = false;
   }
 
   void end() {
@@ -414,6 +418,9 @@ class WindowPropagation {
       if (padded(bound_[third] + norm(end - third_place)) < w.offset + norm(end - w.source)) return;
     }
     if (pruning_.ellipse && !matters(w)) return;
+    const bool is_thin = mesh_.is_thin[triangle_of(w.halfedge)] != 0 ||
+                         mesh_.is_thin[triangle_of(mesh_.opposite(w.halfedge))] != 0;
+    met_thin_triangle_ = met_thin_triangle_ || is_thin;
     windows_.push_back(w);
     push(key, to_index(windows_.size() - 1));
   }
@@ -473,7 +480,8 @@ class WindowPropagation {
   std::size_t current_bucket_ = 0;
   const std::vector<char>* allowed_ = nullptr;
   std::size_t last_keeper_ = 0;  ///< target that last kept a window
-  double reach_ = 0.0;           ///< no path longer than this matters
+  bool met_thin_triangle_ = false;
+  double reach_ = 0.0;  ///< no path longer than this matters
 };
 
 }  // namespace mgf
