@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <wrap/ply/plylib.cpp>
 
 #include <csignal>
 #include <filesystem>
@@ -54,7 +53,7 @@ TEST(PlyWriter, CountsLongListsWithAnInt) {
   write_ply(folder / "a.ply", "a polygon of 256 corners", {element});
   const std::string bytes = bytes_of(folder / "a.ply");
   EXPECT_NE(bytes.find("property list int int vertex_indices\n"), std::string::npos);
-  EXPECT_EQ(bytes.size(), bytes.find("end_header\n") + 11 + 4 * 257);
+  EXPECT_EQ(bytes.size(), bytes.find("end_header\n") + 11 + std::size_t{4} * 257);
 }
 
 TEST(PlyWriter, KeepsEveryBitOfADouble) {

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <vcg/complex/complex.h>
 #include <wrap/io_trimesh/import_ply.h>
-#include <wrap/ply/plylib.cpp>
 
 #include <algorithm>
 #include <limits>
