@@ -46,6 +46,14 @@ bool same(const TriangleSurface& a, const TriangleSurface& b) {
   return a.points == b.points && a.triangles == b.triangles;
 }
 
+/// Nothing but the sampling is found.
+bool is_sound(const TriangleSurface& s) {
+  const Diagnosis diagnosis = diagnose(s);
+  return diagnosis.servable &&
+         std::all_of(diagnosis.findings.begin(), diagnosis.findings.end(),
+                     [](const Finding& finding) { return finding.code == "too_coarse"; });
+}
+
 double volume(const TriangleSurface& s) {
   double sum = 0.0;
   for (const Triangle& t : s.triangles) {
@@ -85,7 +93,8 @@ TEST(Diagnosis, FindsNothingInASoundMesh) {
        {tetrahedron(), sphere(3), box(3, 2, 1), fixtures::torus(24, 12, 2, 0.5)}) {
     const Diagnosis diagnosis = diagnose(surface);
     EXPECT_TRUE(diagnosis.servable) << diagnosis.summary();
-    EXPECT_EQ(count_of(diagnosis, "self_intersections"), 0U);
+    const std::size_t coarse = diagnosis.find("too_coarse") == nullptr ? 0 : 1;
+    EXPECT_EQ(diagnosis.findings.size(), coarse) << diagnosis.summary();
     const WorkingCopy copy = prepare(surface, diagnosis);
     EXPECT_TRUE(same(copy.surface, surface));
     EXPECT_EQ(copy.solids, 1U);
@@ -349,7 +358,7 @@ TEST(Diagnosis, FlipsACapAwayWithoutMovingTheSurface) {
   EXPECT_TRUE(diagnosis.servable) << diagnosis.summary();
   EXPECT_EQ(diagnosis.find("degenerate_faces")->faces, (std::vector<Index>{13}));
   const WorkingCopy copy = prepare(surface, diagnosis);
-  EXPECT_TRUE(diagnose(copy.surface).findings.empty()) << diagnose(copy.surface).summary();
+  EXPECT_TRUE(is_sound(copy.surface)) << diagnose(copy.surface).summary();
   EXPECT_NEAR(volume(copy.surface), 8.0, 1e-12);
   EXPECT_EQ(copy.face_of_input[13], kNone);
   expect_consistent_maps(copy, surface);
@@ -370,7 +379,7 @@ TEST(Diagnosis, FlipsAWholeFanOfCaps) {
   EXPECT_EQ(count_of(diagnosis, "degenerate_faces"), 3U);
   ASSERT_TRUE(diagnosis.servable) << diagnosis.summary();
   const WorkingCopy copy = prepare(surface, diagnosis);
-  EXPECT_TRUE(diagnose(copy.surface).findings.empty()) << diagnose(copy.surface).summary();
+  EXPECT_TRUE(is_sound(copy.surface)) << diagnose(copy.surface).summary();
   EXPECT_NEAR(volume(copy.surface), 16.0, 1e-12);
   expect_consistent_maps(copy, surface);
 }
@@ -395,6 +404,15 @@ TEST(Diagnosis, TellsOfExtremeCoordinates) {
   for (const double factor : {1e200, 1e308, 1e-200, 5e-324}) {
     EXPECT_EQ(refusal(scaled(sphere(1), factor)), "huge_or_tiny_coordinates") << factor;
   }
+}
+
+TEST(Diagnosis, TellsOfTooFewVertices) {
+  for (const TriangleSurface& surface : {box(3, 2, 1), reversed(box(3, 2, 1))}) {
+    const Diagnosis diagnosis = diagnose(surface);
+    EXPECT_TRUE(diagnosis.servable);
+    EXPECT_GT(count_of(diagnosis, "too_coarse"), 0U);
+  }
+  EXPECT_EQ(count_of(diagnose(sphere(2)), "too_coarse"), 0U);
 }
 
 TEST(Diagnosis, TellsOfADistantOrigin) {

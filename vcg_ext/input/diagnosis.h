@@ -17,6 +17,7 @@
 #include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/input/finding.h"
 #include "vcg_ext/input/manifold_checks.h"
+#include "vcg_ext/input/sampling.h"
 #include "vcg_ext/input/shells.h"
 
 namespace mgf {
@@ -191,6 +192,20 @@ inline void check_shells(const Shells& shells, const DiagnosisOptions& options,
   }
 }
 
+/// Faces that automatic sampling would split, whichever way the shells look.
+inline void check_sampling(const TriangleSurface& surface, const Shells& shells,
+                           std::vector<Finding>& findings) {
+  TriangleSurface outward = surface;
+  for (std::size_t f = 0; f < outward.triangles.size(); ++f) {
+    Triangle& t = outward.triangles[f];
+    if (shells.shells[shells.of_face[f]].signed_volume < 0.0) std::swap(t[1], t[2]);
+  }
+  std::vector<Index> faces = too_coarse_faces(outward);
+  if (faces.empty()) return;
+  const std::size_t count = faces.size();
+  findings.push_back(make_finding("too_coarse", Severity::kWarning, count, std::move(faces)));
+}
+
 /// All findings on the cleaned surface, in its numbering; fills in the diagnosis' shells.
 inline std::vector<Finding> examine(const TriangleSurface& surface, bool sound,
                                     const DiagnosisOptions& options, Diagnosis& diagnosis) {
@@ -203,6 +218,7 @@ inline std::vector<Finding> examine(const TriangleSurface& surface, bool sound,
   if (!sound || is_fatal(findings)) return findings;
   Shells shells = find_shells(surface, edges, crossing);
   check_shells(shells, options, findings);
+  if (!is_fatal(findings)) check_sampling(surface, shells, findings);
   diagnosis.shells = std::move(shells.shells);
   for (const Shell& shell : diagnosis.shells) {
     if (shell.inside_shell == kNone) diagnosis.genus += static_cast<Index>(shell.genus);

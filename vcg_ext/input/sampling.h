@@ -54,7 +54,19 @@ inline constexpr double kShortest = 0.70710678118654752 / 100.0;
 inline constexpr std::size_t kMostAutomatic = 4000;
 inline constexpr std::size_t kMostFixed = 5000000;
 
-/// For each face 1 if its shell is to be refined.
+/// A lower bound, but for the genus, on the points of a triangulation of the surface with edges up
+/// to `length`: an equilateral triangle is the largest, and faces are twice as many as points.
+inline double least_points(const TriangleSurface& surface, double length) {
+  double area = 0.0;
+  for (const Triangle& t : surface.triangles) {
+    area += 0.5 * (surface.points[t[1]] - surface.points[t[0]])
+                      .cross(surface.points[t[2]] - surface.points[t[0]])
+                      .norm();
+  }
+  return 0.5 * area / (std::sqrt(3.0) / 4.0 * length * length);
+}
+
+/// Which shells automatic sampling refines, and why.
 struct CoarseShells {
   Shells shells;
   std::vector<char> coarse_face;   ///< longer than the thickness
@@ -285,14 +297,16 @@ inline RefinedSurface refine_sampling(const TriangleSurface& surface,
     throw InputError("sampling_negative", "The sampling length must be 0 or more.");
   }
   if (length == 0.0) return unrefined(surface);
+  const InputError too_fine("sampling_too_fine",
+                            "The sampling length asks for more than 5 million points. Choose a "
+                            "longer one.");
+  if (detail::least_points(surface, length) > static_cast<double>(detail::kMostFixed)) {
+    throw too_fine;
+  }
   const std::size_t most = count + detail::kMostFixed;
   RefinedSurface refined =
       detail::split_long_edges(surface, detail::FixedLength(length), most, progress);
-  if (refined.surface.points.size() >= most) {
-    throw InputError(
-        "sampling_too_fine",
-        "The sampling length asks for more than 5 million points. Choose a longer one.");
-  }
+  if (refined.surface.points.size() >= most) throw too_fine;
   return refined;
 }
 

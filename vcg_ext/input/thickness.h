@@ -15,15 +15,6 @@
 
 namespace mgf {
 
-/// The longest side of a face.
-inline double longest_side(const TriangleSurface& surface, Index face) {
-  const Triangle& t = surface.triangles[face];
-  const Vec3& a = surface.points[t[0]];
-  const Vec3& b = surface.points[t[1]];
-  const Vec3& c = surface.points[t[2]];
-  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-}
-
 /// Local thickness of a shape: the distance from a point of a face along the inward normal to the
 /// surface. Unlike the radius of the medial ball it doesn't go to 0 at convex edges.
 class Thickness {
@@ -36,21 +27,39 @@ class Thickness {
   /// The thickness at barycentric coordinates `at` of a face, mesh units; infinite if it's more
   /// than `limit`.
   double at(Index face, const Vec3& at, double limit) const {
+    const auto [from, to] = ray(face, at, limit);
+    const auto hit = tree_.first_hit(from, to, [face](Index other) { return other == face; });
+    return hit ? hit->distance : std::numeric_limits<double>::infinity();
+  }
+
+  /// True if the thickness there is `limit` at most.
+  bool is_within(Index face, const Vec3& at, double limit) const {
+    const auto [from, to] = ray(face, at, limit);
+    return tree_.segment_meets(from, to, [face](Index other) { return other == face; });
+  }
+
+ private:
+  std::array<Vec3, 2> ray(Index face, const Vec3& at, double length) const {
     const Triangle& t = surface_.triangles[face];
     const Vec3& a = surface_.points[t[0]];
     const Vec3& b = surface_.points[t[1]];
     const Vec3& c = surface_.points[t[2]];
     const Vec3 from = at[0] * a + at[1] * b + at[2] * c;
-    const Vec3 inward = -(b - a).cross(c - a).normalized();
-    const auto hit =
-        tree_.first_hit(from, from + limit * inward, [face](Index other) { return other == face; });
-    return hit ? hit->distance : std::numeric_limits<double>::infinity();
+    return {from, from - length * (b - a).cross(c - a).normalized()};
   }
 
- private:
   const TriangleSurface& surface_;
   const SurfaceTree& tree_;
 };
+
+/// The longest side of a face.
+inline double longest_side(const TriangleSurface& surface, Index face) {
+  const Triangle& t = surface.triangles[face];
+  const Vec3& a = surface.points[t[0]];
+  const Vec3& b = surface.points[t[1]];
+  const Vec3& c = surface.points[t[2]];
+  return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+}
 
 /// The faces whose longest side is more than the shape's thickness beneath their centre: balls
 /// through their corners then reach through the shape, and no medial axis can be made from them.
@@ -62,8 +71,7 @@ inline std::vector<char> faces_coarser_than_thickness(const TriangleSurface& sur
   std::vector<char> coarse;
   coarse.reserve(surface.triangles.size());
   for (Index f = 0; f < surface.triangles.size(); ++f) {
-    const double longest = longest_side(surface, f);
-    coarse.push_back(std::isfinite(thickness.at(f, centre, longest)) ? 1 : 0);
+    coarse.push_back(thickness.is_within(f, centre, longest_side(surface, f)) ? 1 : 0);
   }
   return coarse;
 }
