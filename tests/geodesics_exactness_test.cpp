@@ -248,6 +248,16 @@ TEST(GeodesicsExactness, DrawnPathsHaveTheLengthAndLieInTheirFaces) {
   }
 }
 
+TEST(GeodesicsExactness, TrianglesTooThinForProofAreSaidToBe) {
+  TriangleSurface rough = bumpy_sphere(2, 0.2, 1);
+  const Triangle t = rough.triangles.front();
+  rough.points[t[0]] = rough.points[t[1]] + 1e-9 * (rough.points[t[0]] - rough.points[t[1]]);
+  const PairGeodesics result = solve(rough, random_pairs(rough, 500, 3));
+  EXPECT_GT(std::count(result.certification.begin(), result.certification.end(),
+                       Certification::kPractical),
+            0);
+}
+
 TEST(GeodesicsExactness, ThreadsChangeNoBit) {
   const TriangleSurface rough = bumpy_sphere(4, 0.1, 2);
   const std::vector<VertexPair> pairs = near_pairs(rough, 6.0, 2000, 4);
