@@ -143,6 +143,21 @@ TEST(Erosion, OpensAClosedPocketWhenAsked) {
   EXPECT_EQ(euler_characteristic(eroded), 1);  // one facet given up: a void less
 }
 
+TEST(Erosion, CollapsesTheCellsOfBuriedContactsFirst) {
+  std::vector<Cell> block;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      for (int k = 0; k < 3; ++k) block.push_back({i, j, k});
+    }
+  }
+  const Scene scene(block, 8);
+  EXPECT_EQ(scene.complex.cell_count, 12U);  // 3 by 2 by 2 lattice points lie inside
+  const ErodedComplex eroded = scene.erode(-1.1);
+  EXPECT_EQ(eroded.residual_facets, 0U);
+  EXPECT_EQ(euler_characteristic(eroded), 1);
+  EXPECT_EQ(std::count(eroded.vertex_alive.begin(), eroded.vertex_alive.end(), 1), 1);
+}
+
 TEST(Marking, MarksAreNestedInTheta) {
   for (const MarkingRule rule : {MarkingRule::kAll, MarkingRule::kOnePerFacet}) {
     const Scene scene(plate_of_cubes(6, 6), 5);

@@ -41,8 +41,15 @@ inline InteriorTetrahedra from_tetrahedra(std::vector<Vec3> points,
       const auto [u, j] = found->second;
       interior.neighbours[t][i] = u;
       interior.neighbours[u][j] = t;
+      open.erase(found);
     }
   }
+  std::vector<char> on_boundary(interior.points.size(), 0);
+  for (const auto& [face, side] : open) {
+    for (const Index corner : face) on_boundary[corner] = 1;
+  }
+  interior.certificate.interior_vertices =
+      to_index(static_cast<std::size_t>(std::count(on_boundary.begin(), on_boundary.end(), 0)));
   return interior;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
@@ -34,6 +35,12 @@ struct MedialComplex {
   std::vector<VertexPair> facet_contacts;  ///< ends a < b of the dual Delaunay edge
   Rows<Index> facet_edges;     ///< the bounding Voronoi edges, right-handed about a → b
   Rows<Index> facet_vertices;  ///< vertex i lies between edges i-1 and i of the same row
+
+  // Three-dimensional cells: only a contact buried inside the shape (where its surface crosses
+  // itself) has one.
+  std::vector<std::array<Index, 2>> facet_cells;  ///< of the contacts a and b; kNone for a contact
+                                                  ///< on the boundary
+  Index cell_count = 0;
 
   std::size_t vertex_count() const { return position.size(); }
   std::size_t edge_count() const { return edge_vertices.size(); }
@@ -155,6 +162,53 @@ inline void add_facet(Index x, Index y, const EdgeRing& ring, MedialComplex& com
   }
 }
 
+/// Numbers the 3-cells: the stars of corners that meet no boundary face. `cell_of[4 t + i]` is that
+/// of corner i of tetrahedron t, or kNone. Corners, not vertices: where overlaps were lifted, a
+/// vertex has several stars.
+inline std::vector<Index> number_cells(const InteriorTetrahedra& interior, Index& cell_count) {
+  const std::size_t corner_count = 4 * interior.tetrahedra.size();
+  DisjointSets stars(corner_count);
+  std::vector<char> on_boundary(corner_count, 0);
+  const auto corner_number = [](Index t, std::size_t i) { return to_index(4 * t + i); };
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Index u = interior.neighbours[t][i];
+      for (std::size_t j = 0; j < 4; ++j) {
+        if (j == i) continue;
+        const Index vertex = interior.tetrahedra[t][j];
+        if (u == kNone) {
+          on_boundary[corner_number(t, j)] = 1;
+        } else {
+          stars.join(corner_number(t, j),
+                     corner_number(u, local_corner(interior.tetrahedra[u], vertex)));
+        }
+      }
+    }
+  }
+  std::vector<char> star_on_boundary(corner_count, 0);
+  for (Index c = 0; c < corner_count; ++c) {
+    if (on_boundary[c] != 0) star_on_boundary[stars.find(c)] = 1;
+  }
+  std::vector<Index> cell_of(corner_count, kNone);
+  for (Index c = 0; c < corner_count; ++c) {
+    const Index star = stars.find(c);  // the smallest corner, so it is numbered first
+    if (star_on_boundary[star] == 0) cell_of[c] = star == c ? cell_count++ : cell_of[star];
+  }
+  return cell_of;
+}
+
+/// Fills in `facet_cells`.
+inline void attach_cells(const InteriorTetrahedra& interior, MedialComplex& complex) {
+  const std::vector<Index> cell_of = number_cells(interior, complex.cell_count);
+  for (std::size_t f = 0; f < complex.facet_count(); ++f) {
+    const Index t = complex.facet_vertices[f].front();
+    const Tetrahedron& corners = interior.tetrahedra[t];
+    const VertexPair& contacts = complex.facet_contacts[f];
+    complex.facet_cells[f] = {cell_of[4 * t + local_corner(corners, contacts.a)],
+                              cell_of[4 * t + local_corner(corners, contacts.b)]};
+  }
+}
+
 /// Centre of the sphere through four points; not finite where they lie in a plane. The caller
 /// gives the corners in a fixed order so that equal tetrahedra get equal centres.
 inline Vec3 circumcentre(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
@@ -213,6 +267,8 @@ inline MedialComplex build_medial_complex(const InteriorTetrahedra& interior) {
                         complex);
     }
   }
+  complex.facet_cells.assign(complex.facet_count(), {kNone, kNone});
+  if (interior.certificate.interior_vertices > 0) detail::attach_cells(interior, complex);
   return complex;
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <queue>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -24,8 +25,9 @@ struct ErodedComplex {
 };
 
 /// Collapses (edge, facet) and (vertex, edge) pairs in the given order until none is left whose
-/// cells are unmarked. A pair is collapsible if the second cell is the only live coface of the
-/// first, so every step is a deformation retraction.
+/// cells are unmarked. Three-dimensional cells go first, each with a facet. A pair is collapsible
+/// if the second cell is the only live coface of the first, so every step is a deformation
+/// retraction.
 ///
 /// If facets are left, the marked edge with the weakest score among those that hold one back is
 /// unmarked, and the erosion goes on. What then remains is a closed pocket (paper, section 7: house
@@ -39,6 +41,7 @@ class Erosion {
   ErodedComplex run(const std::vector<Index>& marks, const std::vector<double>& score,
                     bool open_pockets) {
     start(marks, score);
+    collapse_cells();
     collapse_all();
     while (live_facets_ > 0 && (unmark_weakest() || (open_pockets && open_lowest_facet()))) {
       collapse_all();
@@ -108,6 +111,39 @@ class Erosion {
       } else {
         const Index edge = free_edge_of(cell - edges);
         if (edge != kNone) collapse_vertex(cell - edges, edge);
+      }
+    }
+  }
+
+  /// Collapses every 3-cell with its lowest facet that bounds no other live one.
+  void collapse_cells() {
+    std::vector<std::vector<Index>> facets_of_cell(complex_.cell_count);
+    std::vector<Index> cells_of_facet(complex_.facet_count(), 0);
+    std::vector<char> cell_alive(complex_.cell_count, 1);
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> free_facets;
+    const auto offer = [&](Index facet) {
+      if (cells_of_facet[facet] == 1) free_facets.emplace(mgf_[facet], facet);
+    };
+    for (Index facet = 0; facet < complex_.facet_count(); ++facet) {
+      for (const Index cell : complex_.facet_cells[facet]) {
+        if (cell == kNone) continue;
+        facets_of_cell[cell].push_back(facet);
+        ++cells_of_facet[facet];
+      }
+      offer(facet);
+    }
+    while (!free_facets.empty()) {
+      const Index facet = free_facets.top().second;
+      free_facets.pop();
+      for (const Index cell : complex_.facet_cells[facet]) {
+        if (cell == kNone || cell_alive[cell] == 0 || state_.facet_alive[facet] == 0) continue;
+        cell_alive[cell] = 0;
+        remove_facet(facet);
+        for (const Index other : facets_of_cell[cell]) {
+          --cells_of_facet[other];
+          if (state_.facet_alive[other] != 0) offer(other);
+        }
       }
     }
   }
