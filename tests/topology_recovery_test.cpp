@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The interior has the shape's topology, proven, on everything that doesn't cross itself.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "tests/fixtures.h"
+#include "vcg_ext/core/random.h"
+#include "vcg_ext/medial/recover_interior.h"
+
+namespace mgf {
+namespace {
+
+double signed_volume(const TriangleSurface& surface) {
+  double volume = 0.0;
+  for (const Triangle& t : surface.triangles) {
+    volume += surface.points[t[0]].dot(surface.points[t[1]].cross(surface.points[t[2]])) / 6.0;
+  }
+  return volume;
+}
+
+double volume(const InteriorTetrahedra& interior) {
+  double sum = 0.0;
+  for (const Tetrahedron& t : interior.tetrahedra) {
+    const Vec3& a = interior.points[t[0]];
+    sum += (interior.points[t[1]] - a)
+               .cross(interior.points[t[2]] - a)
+               .dot(interior.points[t[3]] - a) /
+           6.0;
+  }
+  return sum;
+}
+
+InteriorTetrahedra expect_proven(const TriangleSurface& surface, const BettiNumbers& betti) {
+  const InteriorTetrahedra interior = recover_interior(surface, {});
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kProven);
+  EXPECT_EQ(interior.certificate.betti, betti);
+  EXPECT_EQ(interior.certificate.expected, betti);
+  EXPECT_EQ(interior.input_points, surface.points.size());
+  return interior;
+}
+
+TriangleSurface squeezed(TriangleSurface surface) {
+  for (Vec3& p : surface.points) p = p.cwiseProduct(Vec3(1.0, 0.3, 0.02));
+  return surface;
+}
+
+// The same surface with its vertices and faces in another order.
+TriangleSurface renumbered(const TriangleSurface& surface, std::vector<Index>& new_number) {
+  Random random(5);
+  new_number.resize(surface.points.size());
+  std::iota(new_number.begin(), new_number.end(), Index{0});
+  for (std::size_t i = new_number.size(); i > 1; --i) {
+    std::swap(new_number[i - 1], new_number[random.below(i)]);
+  }
+  TriangleSurface result = surface;
+  for (Index v = 0; v < surface.points.size(); ++v) {
+    result.points[new_number[v]] = surface.points[v];
+  }
+  for (Triangle& t : result.triangles) {
+    for (Index& v : t) v = new_number[v];
+    std::rotate(t.begin(), t.begin() + 1, t.end());
+  }
+  std::reverse(result.triangles.begin(), result.triangles.end());
+  return result;
+}
+
+TEST(Recovery, FillsABoxOfEightVertices) {
+  const InteriorTetrahedra interior = expect_proven(fixtures::box(3, 2, 1), {1, 0, 0});
+  EXPECT_NEAR(volume(interior), 6.0, 1e-12);
+  EXPECT_EQ(interior.certificate.points_added, 0U);
+}
+
+TEST(Recovery, FillsAnLBlock) {
+  const TriangleSurface surface = fixtures::l_block();
+  EXPECT_NEAR(volume(expect_proven(surface, {1, 0, 0})), signed_volume(surface), 1e-9);
+}
+
+TEST(Recovery, FillsCosphericalShapes) {
+  expect_proven(fixtures::sphere(3), {1, 0, 0});
+  expect_proven(fixtures::coarse_cylinder(48, 1.0, 5.0), {1, 0, 0});
+  expect_proven(fixtures::midpoint_subdivided(fixtures::box(1, 1, 1)), {1, 0, 0});
+}
+
+TEST(Recovery, FillsATorusWithOneLoop) {
+  const TriangleSurface surface = fixtures::torus(40, 16, 1.0, 0.3);
+  EXPECT_NEAR(volume(expect_proven(surface, {1, 1, 0})), signed_volume(surface), 1e-9);
+}
+
+TEST(Recovery, CountsTheSolidsOfAMesh) {
+  const TriangleSurface two = fixtures::joined(
+      fixtures::torus(30, 12, 1.0, 0.3), fixtures::moved(fixtures::sphere(2), Vec3(4.0, 0.0, 0.0)));
+  expect_proven(two, {2, 1, 0});
+}
+
+TEST(Recovery, IsProvenOnSqueezedCopies) {
+  expect_proven(squeezed(fixtures::torus(40, 16, 1.0, 0.3)), {1, 1, 0});
+  expect_proven(squeezed(fixtures::rotated(fixtures::torus(40, 16, 1.0, 0.3), 0.7, Vec3(1, 2, 3))),
+                {1, 1, 0});
+  expect_proven(squeezed(fixtures::rotated(fixtures::sphere(3), 0.7, Vec3(1, 2, 3))), {1, 0, 0});
+}
+
+TEST(Recovery, IsProvenAtEveryScale) {
+  for (const double scale : {1e-6, 1e6}) {
+    expect_proven(fixtures::scaled(fixtures::torus(40, 16, 1.0, 0.3), scale), {1, 1, 0});
+  }
+}
+
+TEST(Recovery, DoesNotDependOnTheNumberingOfVertices) {
+  const TriangleSurface surface =
+      squeezed(fixtures::rotated(fixtures::torus(24, 10, 1.0, 0.3), 0.7, Vec3(1, 2, 3)));
+  std::vector<Index> number;
+  const InteriorTetrahedra first = recover_interior(surface, {});
+  const InteriorTetrahedra second = recover_interior(renumbered(surface, number), {});
+  ASSERT_EQ(first.tetrahedra.size(), second.tetrahedra.size());
+  for (Index v = to_index(surface.points.size()); v < first.points.size(); ++v) number.push_back(v);
+  for (std::size_t t = 0; t < first.tetrahedra.size(); ++t) {
+    Tetrahedron mapped = first.tetrahedra[t];
+    for (Index& v : mapped) v = number[v];
+    ASSERT_EQ(mapped, second.tetrahedra[t]);
+  }
+}
+
+TEST(Recovery, IsTheSameInEveryRun) {
+  const TriangleSurface surface = squeezed(fixtures::torus(24, 10, 1.0, 0.3));
+  const InteriorTetrahedra first = recover_interior(surface, {});
+  const InteriorTetrahedra second = recover_interior(surface, {});
+  EXPECT_EQ(first.tetrahedra, second.tetrahedra);
+  EXPECT_EQ(first.neighbours, second.neighbours);
+}
+
+TEST(Recovery, CanKeepTheInputSurfaceAsItIs) {
+  const TriangleSurface surface =
+      fixtures::rotated(fixtures::torus(40, 16, 1.0, 0.3), 0.7, Vec3(1, 2, 3));
+  RecoveryOptions options;
+  options.recover_input_surface = true;
+  const InteriorTetrahedra interior = recover_interior(surface, options);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kProven);
+  EXPECT_EQ(interior.certificate.surface_flips, 0U);
+  ASSERT_EQ(interior.certificate.points_added, 0U);
+  EXPECT_EQ(canonical_sorted(interior.boundary), canonical_sorted(surface.triangles));
+}
+
+TEST(Recovery, IgnoresVerticesInNoTriangle) {
+  TriangleSurface surface = fixtures::torus(24, 10, 1.0, 0.3);
+  surface.points.emplace_back(1.0, 0.0, 0.0);  // inside the tube
+  expect_proven(surface, {1, 1, 0});
+}
+
+TEST(Recovery, RefusesDuplicatePoints) {
+  const TriangleSurface sphere = fixtures::sphere(1);
+  EXPECT_THROW(recover_interior(fixtures::joined(sphere, sphere), {}), InputError);
+}
+
+TEST(Recovery, StopsWhenAsked) {
+  const Progress refuse([](double, const char*) { return false; });
+  EXPECT_THROW(recover_interior(fixtures::sphere(2), {}, refuse), Cancelled);
+}
+
+// Two spheres joined to one overlapping solid can't be told from two: both are kept, each whole.
+TEST(Recovery, LiftsTwoOverlappingSpheresApart) {
+  const TriangleSurface two = fixtures::joined(
+      fixtures::sphere(2),
+      fixtures::rotated(fixtures::moved(fixtures::sphere(2), Vec3(1.1, 0.13, 0.07)), 0.3,
+                        Vec3(1, 2, 3)));
+  const InteriorTetrahedra lifted = recover_interior(two, {});
+  EXPECT_EQ(lifted.certificate.betti, (BettiNumbers{2, 0, 0}));
+  EXPECT_EQ(lifted.certificate.topology, TopologyVerdict::kCounted);
+  RecoveryOptions fused;
+  fused.lift_overlaps = false;
+  const InteriorTetrahedra one = recover_interior(two, fused);
+  EXPECT_EQ(one.certificate.betti, (BettiNumbers{1, 0, 0}));
+  EXPECT_EQ(one.certificate.topology, TopologyVerdict::kFailed);
+}
+
+TEST(Recovery, ProvesTheSharedModels) {
+  const std::vector<std::string> names = {"knot", "octopus", "hand", "dino", "femur", "handle"};
+  if (fixtures::shared_model(names.front()).empty()) GTEST_SKIP();
+  for (const std::string& name : names) {
+    const TriangleSurface surface = fixtures::load_off(fixtures::shared_model(name));
+    const InteriorTetrahedra interior = recover_interior(surface, {});
+    EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kProven) << name;
+    EXPECT_LE(interior.certificate.points_added, surface.points.size() / 100) << name;
+  }
+}
+
+}  // namespace
+}  // namespace mgf
