@@ -67,8 +67,8 @@ class _Children:
             process.wait()
             with self._lock:
                 self._processes.discard(process)
-        if self._stopped:
-            raise Interrupted()
+            if self._stopped:  # whatever else went wrong, went wrong for this
+                raise Interrupted()
 
     def stop(self):
         with self._lock:
@@ -154,12 +154,13 @@ def meshlabserver(*arguments, folder):
         )
 
 
-def _paint_background_white(settings):
-    """Pictures are for paper. MeshLab keeps its settings as XML inside an INI file."""
+def _paint_background_grey(settings):
+    """Both what is white and what is dark stand out against it. MeshLab keeps its settings as XML
+    inside an INI file."""
     lines = ["[General]"]
     for end in ("Bot", "Top"):
         xml = f'<Param name="MeshLab::Appearance::background{end}Color" type="RichColor" '
-        xml += 'r="255" g="255" b="255" a="255" description="" tooltip=""/>'
+        xml += 'r="205" g="205" b="205" a="255" description="" tooltip=""/>'
         lines.append(f"background{end}=" + json.dumps(xml))
     folder = pathlib.Path(settings) / "VCG"
     folder.mkdir()
@@ -170,7 +171,7 @@ def meshlab_window(files, commands, size="1280x960"):
     """Opens files in MeshLab's window, does what the commands say (scripts/meshlab_driver lists
     them; each is a tuple of words) and gives what was seen, one dictionary a line."""
     with display(size) as name, tempfile.TemporaryDirectory() as settings:
-        _paint_background_white(settings)
+        _paint_background_grey(settings)
         script = pathlib.Path(settings) / "commands"
         transcript = pathlib.Path(settings) / "transcript"
         script.write_text("".join("\t".join(map(str, words)) + "\n" for words in commands))

@@ -21,6 +21,7 @@
 #include <QScreen>
 #include <QTextDocumentFragment>
 #include <QTreeWidget>
+#include <QWheelEvent>
 #include <stdexcept>
 
 namespace mgf::driver {
@@ -105,6 +106,7 @@ void enter(QWidget* widget, const QString& value) {
 
 constexpr int kEyeColumn = 0;
 constexpr int kNameColumn = 2;
+const QLatin1String kModifiedMark(" *");  // behind the name of a layer that was changed
 
 /// Whether a layer is shown; its eye is all that tells.
 bool is_visible(const QTreeWidgetItem* item) {
@@ -213,6 +215,8 @@ bool MeshlabDriver::run(const QStringList& words, QJsonObject& seen) {
       if (found == nullptr && plain(action->text()) == argument) found = action;
     if (found == nullptr) fail("no action '" + argument + "'");
     for (int times = qMax(1, words.value(2).toInt()); times > 0; --times) found->trigger();
+  } else if (command == "zoom") {
+    zoom(argument.toInt());
   } else if (command == "grab") {
     grab(argument);
   } else if (command == "quit") {
@@ -264,35 +268,43 @@ void MeshlabDriver::click(const QString& text) {
 
 void MeshlabDriver::show_layers(const QStringList& names) {
   QTreeWidget* tree = layer_tree();
-  const QStringList shown = layer_names();
-  for (int i = 0; i < shown.size(); ++i) {
-    bool wanted = false;
-    for (const QString& name : names) wanted = wanted || shown[i].contains(name);
-    if (wanted != is_visible(tree->topLevelItem(i))) press(tree, i, kEyeColumn);
-  }
+  const QStringList layers = layer_names();
+  for (const QString& name : names)
+    if (!layers.contains(name)) fail("no layer '" + name + "'");
+  for (int i = 0; i < layers.size(); ++i)
+    if (names.contains(layers[i]) != is_visible(tree->topLevelItem(i))) press(tree, i, kEyeColumn);
 }
 
 void MeshlabDriver::select_layer(const QString& name) {
-  const QStringList shown = layer_names();
-  for (int i = 0; i < shown.size(); ++i) {
-    if (!shown[i].contains(name)) continue;
-    press(layer_tree(), i, kNameColumn);
-    return;
+  const int row = layer_names().indexOf(name);
+  if (row < 0) fail("no layer '" + name + "'");
+  press(layer_tree(), row, kNameColumn);
+}
+
+/// The three-dimensional view.
+QWidget* MeshlabDriver::view() const {
+  const QList<QWidget*> widgets = main_window()->findChildren<QWidget*>();
+  for (QWidget* widget : widgets)
+    if (widget->inherits("GLArea") && widget->isVisible()) return widget;
+  fail("there is no three-dimensional view");
+}
+
+/// Each step comes nearer by a notch of the mouse wheel.
+void MeshlabDriver::zoom(int steps) {
+  constexpr int kNotch = 120;  // Qt's eighths of a degree
+  const QPointF middle = view()->rect().center();
+  for (; steps > 0; --steps) {
+    QWheelEvent event(middle, view()->mapToGlobal(middle.toPoint()), QPoint(), QPoint(0, -kNotch),
+                      Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(view(), &event);
   }
-  fail("no layer '" + name + "'");
 }
 
 void MeshlabDriver::grab(const QString& file) {
-  const QList<QWidget*> widgets = main_window()->findChildren<QWidget*>();
-  for (const QWidget* widget : widgets) {
-    if (!widget->inherits("GLArea") || !widget->isVisible()) continue;
-    const QPoint corner = widget->mapToGlobal(QPoint(0, 0));
-    const QPixmap picture = QGuiApplication::primaryScreen()->grabWindow(
-        0, corner.x(), corner.y(), widget->width(), widget->height());
-    if (!picture.save(file)) fail("can't write '" + file + "'");
-    return;
-  }
-  fail("there is no three-dimensional view");
+  const QPoint corner = view()->mapToGlobal(QPoint(0, 0));
+  const QPixmap picture = QGuiApplication::primaryScreen()->grabWindow(
+      0, corner.x(), corner.y(), view()->width(), view()->height());
+  if (!picture.save(file)) fail("can't write '" + file + "'");
 }
 
 QWidget* MeshlabDriver::main_window() const {
@@ -317,7 +329,9 @@ QStringList MeshlabDriver::layer_names() const {
   QStringList names;
   const QTreeWidget* tree = layer_tree();
   for (int i = 0; tree != nullptr && i < tree->topLevelItemCount(); ++i) {
-    names.push_back(tree->topLevelItem(i)->text(kNameColumn).simplified());
+    QString name = tree->topLevelItem(i)->text(kNameColumn);
+    if (name.endsWith(kModifiedMark)) name.chop(kModifiedMark.size());
+    names.push_back(name);
   }
   return names;
 }

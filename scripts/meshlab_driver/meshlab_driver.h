@@ -28,9 +28,10 @@ namespace mgf::driver {
 ///   close                 closes the filter dialog
 ///   layers                the names of the layers
 ///   log                   the text of the log
-///   select NAME           makes the layer whose name contains this the current one
-///   show NAME...          makes the layers whose names contain one of these visible, and only them
+///   select NAME           makes a layer the current one
+///   show NAME...          makes these layers visible, and only them
 ///   action TEXT [TIMES]   triggers any other action of the window
+///   zoom STEPS            turns the mouse wheel over the view
 ///   grab FILE             saves what the three-dimensional view shows
 ///   quit
 ///
@@ -54,10 +55,12 @@ class MeshlabDriver : public QObject {
   void click(const QString& text);
   void select_layer(const QString& name);
   void show_layers(const QStringList& names);
+  void zoom(int steps);
   void grab(const QString& file);
 
   QWidget* main_window() const;
   QDockWidget* filter_dialog() const;
+  QWidget* view() const;
   QTreeWidget* layer_tree() const;
   QStringList layer_names() const;
   QList<QAction*> filter_actions() const;
