@@ -1,81 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Self-intersections of a surface: whether there are any, and the surface cut along them.
+// A self-intersecting surface cut along its crossings. Compiled once (autorefine.cpp), for CGAL's
+// corefinement would double the time that everything above takes to compile.
 #pragma once
 
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <array>
-#include <exception>
-#include <map>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "vcg_ext/core/types.h"
-#include "vcg_ext/exact/predicates.h"
 
 namespace mgf {
-namespace exact_detail {
-
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-// None if CGAL's mesh can't hold the surface, which a closed, oriented, manifold one never is.
-inline std::optional<SurfaceMesh> to_surface_mesh(const TriangleSurface& surface) {
-  SurfaceMesh mesh;
-  for (const Vec3& p : surface.points) mesh.add_vertex(to_cgal(p));
-  for (const Triangle& t : surface.triangles) {
-    const auto face =
-        mesh.add_face(SurfaceMesh::Vertex_index(t[0]), SurfaceMesh::Vertex_index(t[1]),
-                      SurfaceMesh::Vertex_index(t[2]));
-    if (face == SurfaceMesh::null_face()) return std::nullopt;
-  }
-  return mesh;
-}
-
-}  // namespace exact_detail
-
-/// Whether two triangles of a closed, edge-manifold surface meet outside their common vertices and
-/// edges. About n log n.
-inline bool self_intersects(const TriangleSurface& surface) {
-  const auto mesh = exact_detail::to_surface_mesh(surface);
-  return mesh && CGAL::Polygon_mesh_processing::does_self_intersect(*mesh);
-}
 
 /// The surface with every triangle cut along the others that it meets: triangles that share points
 /// and edges where sheets cross, four or more at a seam. Vertices keep their numbers; points on
 /// seams come after them, rounded to doubles. None if CGAL gives up, as on overlapping coplanar
 /// faces. Requires a closed, edge-manifold surface.
-inline std::optional<TriangleSurface> autorefined(const TriangleSurface& surface) {
-  auto mesh = exact_detail::to_surface_mesh(surface);
-  if (!mesh) return std::nullopt;
-  try {
-    CGAL::Polygon_mesh_processing::experimental::autorefine(*mesh);
-  } catch (const std::exception&) {
-    return std::nullopt;  // the caller has another way
-  }
-  TriangleSurface result;
-  result.points = surface.points;
-  std::map<std::array<double, 3>, Index> number;
-  for (Index v = 0; v < surface.points.size(); ++v) {
-    const Vec3& p = surface.points[v];
-    number.emplace(std::array<double, 3>{p.x(), p.y(), p.z()}, v);
-  }
-  for (const auto face : mesh->faces()) {
-    Triangle triangle{};
-    unsigned corner = 0;
-    for (const auto vertex : mesh->vertices_around_face(mesh->halfedge(face))) {
-      const auto& p = mesh->point(vertex);
-      const auto [place, added] = number.emplace(std::array<double, 3>{p.x(), p.y(), p.z()},
-                                                 to_index(result.points.size()));
-      if (added) result.points.emplace_back(p.x(), p.y(), p.z());
-      triangle[corner++] = place->second;
-    }
-    const auto [a, b, c] = triangle;
-    if (a != b && b != c && c != a) result.triangles.push_back(triangle);
-  }
-  return result;
-}
+std::optional<TriangleSurface> autorefined(const TriangleSurface& surface);
 
 }  // namespace mgf

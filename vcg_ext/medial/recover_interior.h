@@ -8,6 +8,7 @@
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/autorefine.h"
+#include "vcg_ext/exact/self_intersections.h"
 #include "vcg_ext/medial/betti.h"
 #include "vcg_ext/medial/boxed_surface.h"
 #include "vcg_ext/medial/interior_choice.h"
@@ -74,7 +75,7 @@ inline InteriorTetrahedra recover_interior(const TriangleSurface& surface,
   const BoxedSurface plain = boxed(ordered);
   Best best(attempt(plain, kFirstAttempt));
   if (best.verdict() != TopologyVerdict::kProven) {
-    if (!self_intersects(ordered.surface)) {
+    if (self_intersections(ordered.surface).empty()) {
       for (const AttemptOptions& way : kMoreAttempts) {
         best.offer(attempt(plain, way));
         if (best.verdict() == TopologyVerdict::kProven) break;
