@@ -13,6 +13,9 @@
 namespace mgf {
 namespace {
 
+using exact_detail::Kernel;
+using exact_detail::to_cgal;
+
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 // None if CGAL's mesh can't hold the surface, which a closed, oriented, manifold one never is.

@@ -75,7 +75,7 @@ inline InteriorTetrahedra recover_interior(const TriangleSurface& surface,
   const BoxedSurface plain = boxed(ordered);
   Best best(attempt(plain, kFirstAttempt));
   if (best.verdict() != TopologyVerdict::kProven) {
-    if (self_intersections(ordered.surface).empty()) {
+    if (exact::self_intersections(ordered.surface).empty()) {
       for (const AttemptOptions& way : kMoreAttempts) {
         best.offer(attempt(plain, way));
         if (best.verdict() == TopologyVerdict::kProven) break;
