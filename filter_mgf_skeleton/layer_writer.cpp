@@ -10,8 +10,8 @@ namespace {
 
 using Allocator = vcg::tri::Allocator<CMeshO>;
 
-/// A mesh attribute that tells our replaceable layers from a user's of the same name.
-const char* const kReplaceable = "mgf_skeleton_replaceable";
+/// The mesh attribute that tells our layers from others.
+const char* const kOrigin = "mgf_skeleton_origin";
 
 Point3m host_point(const Vec3& p) {
   return {static_cast<Scalarm>(p.x()), static_cast<Scalarm>(p.y()), static_cast<Scalarm>(p.z())};
@@ -104,8 +104,9 @@ void write_attributes(const Layer& layer, CMeshO& mesh) {
 
 }  // namespace
 
-bool is_replaceable(const MeshModel& model) {
-  return vcg::tri::HasPerMeshAttribute(model.cm, kReplaceable);
+std::optional<LayerOrigin> origin_of(MeshModel& model) {
+  if (!vcg::tri::HasPerMeshAttribute(model.cm, kOrigin)) return std::nullopt;
+  return Allocator::GetPerMeshAttribute<LayerOrigin>(model.cm, kOrigin)();
 }
 
 void clear_layer(MeshModel& model) {
@@ -114,13 +115,13 @@ void clear_layer(MeshModel& model) {
   model.Clear();  // the data mask alone
 }
 
-void write_layer(const Layer& layer, const Matrix44m& transform, MeshModel& model) {
+void write_layer(const Layer& layer, const MeshModel& source, MeshModel& model) {
   write_points(layer, model);
   write_faces(layer, model);
   write_edges(layer, model);
   write_attributes(layer, model.cm);
-  if (layer.replaces_former) Allocator::GetPerMeshAttribute<int>(model.cm, kReplaceable)() = 1;
-  model.cm.Tr = transform;
+  Allocator::GetPerMeshAttribute<LayerOrigin>(model.cm, kOrigin)() = {source.id(), layer.name};
+  model.cm.Tr = source.cm.Tr;
   model.UpdateBoxAndNormals();
   // Without faces the normals are zero, and lines lit with them are almost black.
   if (layer.triangles.empty()) model.clearDataMask(MeshModel::MM_VERTNORMAL);

@@ -192,6 +192,7 @@ Layer tube_layer(const std::string& name, const CurveSkeleton& skeleton, const B
     layer.face_quality.push_back(quality);
     layer.face_colour.push_back(paint.colour(quality));
   }
+  for (const double quality : tubes.quality) layer.point_colour.push_back(paint.colour(quality));
   layer.points = std::move(tubes.surface.points);
   layer.triangles = std::move(tubes.surface.triangles);
   layer.point_quality = std::move(tubes.quality);

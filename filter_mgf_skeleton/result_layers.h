@@ -51,8 +51,9 @@ SkeletonPaint paint_smooth(const SmoothSkeleton& smooth, const SkeletonPaint& ra
 Layer line_layer(const std::string& name, const CurveSkeleton& skeleton,
                  const SkeletonPaint& paint);
 
-/// The skeleton as tubes, with quality and colour on faces: colour that MeshLab shows and that
-/// survives every save. `graph` has the skeleton's own branches.
+/// The skeleton as tubes: colour that MeshLab shows and that survives every save. Quality and
+/// colour are on faces and on vertices, since MeshLab forgets to show the faces' when a layer is
+/// replaced. `graph` has the skeleton's own branches.
 Layer tube_layer(const std::string& name, const CurveSkeleton& skeleton, const BranchGraph& graph,
                  const SkeletonPaint& paint);
 

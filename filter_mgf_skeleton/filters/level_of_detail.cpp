@@ -17,7 +17,9 @@ FilterOutput change_level_of_detail(const FilterInput& input) {
   const SkeletonPaint paint = paint_skeleton(level, quality);
   FilterOutput output;
   output.layers.push_back(line_layer("level of detail", level.skeleton, paint));
-  output.layers.push_back(tube_layer("level of detail tubes", level.skeleton, level.graph, paint));
+  const SmoothSkeleton smooth = smooth_level(study, level);
+  output.layers.push_back(tube_layer("level of detail tubes", smooth, build_branches(smooth),
+                                     paint_smooth(smooth, paint, quality)));
   for (Layer& layer : output.layers) layer.replaces_former = true;
   output.notes.push_back(paint.legend.sentence);
   report_skeleton(*study.result, level, output);
@@ -38,7 +40,7 @@ Filter level_of_detail_filter() {
           "Shows the curve skeleton at another threshold and pruning <b>without computing it "
           "again</b>: tick Preview and drag the sliders. It takes the skeleton last computed for "
           "this mesh, and computes one with the standard settings if there is none yet, or if the "
-          "mesh has changed.<br>"
+          "mesh has changed. The mesh, or a layer made from it, must be the current layer.<br>"
           "The skeleton at a smaller threshold is always part of that at a larger one; below -1 "
           "only loops are left, or a point. The result stands in two layers of its own, lines and "
           "tubes, which this filter replaces each time.") +

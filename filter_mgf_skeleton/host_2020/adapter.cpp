@@ -26,22 +26,36 @@ QString base_name(const MeshModel& model) {
   return is_file ? QFileInfo(model.label()).completeBaseName() : model.label();
 }
 
-MeshModel* replaceable_layer(MeshDocument& document, const QString& name) {
+/// What a former run has made from `input` under the name of `layer`.
+MeshModel* former_layer(MeshDocument& document, const Layer& layer, const MeshModel& input) {
   for (MeshModel* model : document.meshList) {
-    if (model->label() == name && is_replaceable(*model)) return model;
+    const std::optional<LayerOrigin> origin = origin_of(*model);
+    if (origin && origin->source == input.id() && origin->name == layer.name) return model;
   }
   return nullptr;
+}
+
+/// The layer to work on: the current one; or, for a filter that replaces its layers while the user
+/// looks at them, the one that the current layer was made from.
+MeshModel* input_layer(const Filter& filter, MeshDocument& document) {
+  MeshModel* current = document.mm();
+  if (current == nullptr || filter.effect != FilterEffect::kReplacesLayers) return current;
+  const std::optional<LayerOrigin> origin = origin_of(*current);
+  MeshModel* model = origin ? document.getMesh(origin->source) : nullptr;
+  return model != nullptr ? model : current;
 }
 
 void write_output(const FilterOutput& output, const QString& name, MeshModel& input,
                   MeshDocument& document) {
   for (const Layer& layer : output.layers) {
     const QString label = name + " " + qt(layer.name);
-    MeshModel* former = layer.replaces_former ? replaceable_layer(document, label) : nullptr;
+    MeshModel* former = layer.replaces_former ? former_layer(document, layer, input) : nullptr;
+    // What the user has hidden stays hidden.
+    const bool visible = former != nullptr ? former->visible : !layer.hidden;
     if (former != nullptr) clear_layer(*former);
     MeshModel* model = former != nullptr ? former : document.addNewMesh(QString(), label, false);
-    write_layer(layer, input.cm.Tr, *model);
-    model->visible = !layer.hidden;
+    write_layer(layer, input, *model);
+    model->visible = visible;
   }
   if (output.paint) write_paint(*output.paint, input);
   if (output.selection) write_selection(*output.selection, input);
@@ -64,7 +78,7 @@ class Running {
 MgfSkeletonPlugin::MgfSkeletonPlugin() {
   for (std::size_t id = 0; id < all_filters().size(); ++id) {
     typeList << static_cast<FilterIDType>(id);
-    actionList << new QAction(filterName(static_cast<FilterIDType>(id)), this);
+    actionList << new QAction(qt(all_filters()[id].name), this);
   }
 }
 
@@ -113,15 +127,17 @@ int MgfSkeletonPlugin::postCondition(QAction* action) const {
       return MeshModel::MM_FACEQUALITY | MeshModel::MM_FACECOLOR | MeshModel::MM_VERTQUALITY;
     case FilterEffect::kSelects:
       return MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT;
+    case FilterEffect::kReplacesLayers:
+      return MeshModel::MM_FACEVERT;
     default:
       return MeshModel::MM_NONE;
   }
 }
 
-// Fixed, not single: MeshLab offers a preview for filters of a single mesh, and undoing it would
-// revert the paint of the input.
-MeshFilterInterface::FILTER_ARITY MgfSkeletonPlugin::filterArity(QAction*) const {
-  return FIXED;
+// MeshLab offers a preview for filters of a single mesh. Only the quick ones want it; undoing that
+// of the others would revert their paint.
+MeshFilterInterface::FILTER_ARITY MgfSkeletonPlugin::filterArity(QAction* action) const {
+  return filter(action).effect == FilterEffect::kReplacesLayers ? SINGLE_MESH : FIXED;
 }
 
 void MgfSkeletonPlugin::initParameterSet(QAction* action, MeshDocument& document,
@@ -149,12 +165,11 @@ bool MgfSkeletonPlugin::applyFilter(QAction* action, MeshDocument& document,
 
 bool MgfSkeletonPlugin::apply(const Filter& filter, MeshDocument& document,
                               const RichParameterList& list, vcg::CallBackPos* callback) {
-  if (document.mm() == nullptr) {
-    return fail({"no_mesh", "There is no mesh: open one first."});
-  }
-  const int id = document.mm()->id();
-  const mgf::TriangleSurface mesh = mgf::bridge_from_mesh(document.mm()->cm).surface;
-  const QString name = base_name(*document.mm());
+  MeshModel* current = input_layer(filter, document);
+  if (current == nullptr) return fail({"no_mesh", "There is no mesh: open one first."});
+  const int id = current->id();
+  const mgf::TriangleSurface mesh = mgf::bridge_from_mesh(current->cm).surface;
+  const QString name = base_name(*current);
   const ParameterValues values = read_parameters(filter.parameters, list);
   const mgf::Progress progress([callback](double share, const char* stage) {
     return callback == nullptr || callback(static_cast<int>(100.0 * share), stage);
