@@ -32,24 +32,24 @@ enum class TopologyVerdict {
 /// The checks behind a `TopologyVerdict`, made anew on the finished tetrahedra.
 struct TopologyCertificate {
   TopologyVerdict topology = TopologyVerdict::kFailed;
-  Index boundary_faces_missing = 0;    ///< faces of T' that are no face of the tetrahedra
-  Index boundary_faces_extra = 0;      ///< boundary faces of the interior that are not in T'
-  Index tetrahedra_not_positive = 0;   ///< by the exact orientation predicate
-  Index winding_conflicts = 0;         ///< contradictions met by the winding flood
-  Index interior_vertices = 0;         ///< vertices with all their tetrahedra inside (3-cells)
-  BettiNumbers betti;                  ///< of the interior, by combinatorics
-  BettiNumbers expected;               ///< shells, sum of genera, 0
-  Index surface_flips = 0;             ///< edges flipped on the way from T to T'
-  Index points_added = 0;              ///< points that recovery had to add on T'
+  Index boundary_faces_missing = 0;   ///< faces of T' that are no face of the tetrahedra
+  Index boundary_faces_extra = 0;     ///< boundary faces of the interior that are not in T'
+  Index tetrahedra_not_positive = 0;  ///< by the exact orientation predicate
+  Index winding_conflicts = 0;        ///< contradictions met by the winding flood
+  Index interior_vertices = 0;        ///< vertices with all their tetrahedra inside (3-cells)
+  BettiNumbers betti;                 ///< of the interior, by combinatorics
+  BettiNumbers expected;              ///< shells, sum of genera, 0
+  Index surface_flips = 0;            ///< edges flipped on the way from T to T'
+  Index points_added = 0;             ///< points that recovery had to add on T'
 };
 
 /// The interior of a closed surface as tetrahedra whose corners lie on the surface.
 struct InteriorTetrahedra {
   std::vector<Vec3> points;  ///< the surface's vertices, then the points that recovery added
   Index input_points = 0;    ///< how many of `points` are the surface's own
-  std::vector<Tetrahedron> tetrahedra;             ///< positively oriented
-  std::vector<std::array<Index, 4>> neighbours;    ///< across the face opposite corner i, or kNone
-  std::vector<Triangle> boundary;                  ///< T': triangulates the same surface, outward
+  std::vector<Tetrahedron> tetrahedra;           ///< positively oriented
+  std::vector<std::array<Index, 4>> neighbours;  ///< across the face opposite corner i, or kNone
+  std::vector<Triangle> boundary;                ///< T': triangulates the same surface, outward
   TopologyCertificate certificate;
 };
 
