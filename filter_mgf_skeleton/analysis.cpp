@@ -5,30 +5,12 @@
 #include <string>
 
 #include "vcg_ext/exact/surface_tree.h"
-#include "vcg_ext/geodesics/surface_path.h"
 #include "vcg_ext/skeleton/level_of_detail.h"
 #include "vcg_ext/surface/branch_areas.h"
+#include "vcg_ext/surface/contact_paths.h"
 
 namespace mgf::plugin {
 namespace {
-
-/// Draws the paths between corners of dual triangles, a < b: the geodesic where there is one, else
-/// the surface's own edge between them.
-class ContactPaths {
- public:
-  ContactPaths(const TriangleSurface& surface, const MedialGeodesicField& field)
-      : mesh_(make_halfedge_mesh(surface)), field_(field) {}
-
-  SurfacePath operator()(Index a, Index b) const {
-    const Index pair = field_.table.find(a, b);
-    if (pair != kNone) return path_of_pair(mesh_, field_.table.pairs(), field_.geodesics, pair);
-    return {{mesh_.points[a], mesh_.points[b]}, {triangle_of(find_halfedge(mesh_, a, b))}};
-  }
-
- private:
-  HalfedgeMesh mesh_;
-  const MedialGeodesicField& field_;
-};
 
 /// Gives every vertex without a value the largest of its neighbours', ring by ring.
 void fill_untouched(const std::vector<Triangle>& triangles, std::vector<double>& girth) {

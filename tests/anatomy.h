@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "filter_mgf_skeleton/surface_paths.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/surface_tree.h"
 #include "vcg_ext/input/refined_surface.h"
@@ -17,6 +16,7 @@
 #include "vcg_ext/skeleton/skeleton_hierarchy.h"
 #include "vcg_ext/skeleton/smoothing.h"
 #include "vcg_ext/surface/branch_areas.h"
+#include "vcg_ext/surface/contact_paths.h"
 
 namespace mgf::test {
 
@@ -32,8 +32,7 @@ struct Anatomy {
 
 /// Runs all stages at the default theta and pruning, by `threshold` on eccentricity.
 inline Anatomy dissect(const TriangleSurface& surface, double threshold) {
-  constexpr double kTheta = -0.7;
-  constexpr double kPrune = 0.75;
+  const SkeletonOptions defaults;
   const InteriorTetrahedra interior = recover_interior(surface, {});
   EXPECT_EQ(interior.points.size(), surface.points.size()) << "T itself has to be recovered";
   MedialComplex complex = build_medial_complex(interior);
@@ -47,12 +46,11 @@ inline Anatomy dissect(const TriangleSurface& surface, double threshold) {
   const SkeletonHierarchy hierarchy = build_skeleton_hierarchy(
       interior, complex, field, surface.points, bounding_box_diagonal(surface.points), {}, inside);
   Anatomy result;
-  result.skeleton =
-      prune_leaf_branches(skeleton_at_theta(hierarchy.full, hierarchy.last_nodes, kTheta), kPrune);
+  result.skeleton = skeleton_at(hierarchy, defaults.theta, defaults.prune);
   const BranchGraph graph = build_branches(result.skeleton);
   const RefinedSurface refined = unrefined(surface);
   result.smooth = smooth_skeleton(result.skeleton, graph, inside);
-  result.circles = trace_geodesic_circles(result.skeleton, plugin::SurfacePaths(surface, field));
+  result.circles = trace_geodesic_circles(result.skeleton, ContactPaths(surface, field));
   result.segmentation =
       segment_surface(surface, refined, result.skeleton, graph, result.circles, threshold);
   result.map = map_surface(surface, refined, result.skeleton, graph, result.circles);

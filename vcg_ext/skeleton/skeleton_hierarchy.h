@@ -31,8 +31,7 @@ inline constexpr double kStrictestTheta = -1.1;
 /// Which edges make the skeleton, and how it is shown.
 struct SkeletonOptions {
   double theta = -0.7;  ///< divergence threshold of the marking, in [-1.1, 0]; smaller: less detail
-  double prune =
-      0.75;  ///< significance below which a leaf branch is dropped; 0: the paper's output
+  double prune = 0.3;   ///< leaf branches less significant than this are dropped; 0: none
   MarkingRule marking_rule = MarkingRule::kAll;
   bool open_pockets = false;  ///< open a closed pocket of the medial axis at its lowest MGF
 };
