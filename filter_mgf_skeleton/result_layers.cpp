@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "filter_mgf_skeleton/facet_orientation.h"
 #include "filter_mgf_skeleton/io/tube_mesh.h"
 #include "filter_mgf_skeleton/io/vertex_numbers.h"
 #include "filter_mgf_skeleton/short_number.h"
@@ -113,9 +114,12 @@ FacetLayer facet_layer(const std::string& name, const MedialAxis& axis) {
   layer.point_quality = complex.radius;
   Attribute contact_a{"contact_a", {}};
   Attribute contact_b{"contact_b", {}};
+  const std::vector<char> reverse = facets_to_reverse(complex);
   for (Index f = 0; f < complex.facet_count(); ++f) {
-    const Row<Index> corners = complex.facet_vertices[f];
-    if (corners.size() < 3) continue;
+    const Row<Index> row = complex.facet_vertices[f];
+    if (row.size() < 3) continue;
+    std::vector<Index> corners(row.begin(), row.end());
+    if (reverse[f]) std::reverse(corners.begin(), corners.end());
     const std::size_t count = corners.size() - 2;
     for (std::size_t i = 0; i < count; ++i) {
       layer.triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
