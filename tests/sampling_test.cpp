@@ -133,6 +133,20 @@ TEST(Sampling, StaysWithinItsBudget) {
   const RefinedSurface refined = refine_sampling(plate, {});
   expect_refinement(refined, plate);
   EXPECT_LE(refined.surface.points.size(), 4008U);
+  EXPECT_GT(refined.surface.points.size(), 800U);
+}
+
+TEST(Sampling, MakesNoNeedlesBesideAThinPlate) {
+  // The rim is thick beneath but narrow; left in one piece its diagonals would end up in needles.
+  const auto slimness = [](const TriangleSurface& s, Index f) {
+    return longest_side(s, f) * longest_side(s, f) / area_vector(s, f).norm();
+  };
+  const TriangleSurface plate = box(1, 1, 0.05);
+  const RefinedSurface refined = refine_sampling(plate, {});
+  expect_refinement(refined, plate);
+  for (Index f = 0; f < refined.surface.triangles.size(); ++f) {
+    EXPECT_LE(slimness(refined.surface, f), 3.0 * slimness(plate, refined.parent_face[f]));
+  }
 }
 
 TEST(Sampling, KeepsToAFixedLength) {

@@ -34,8 +34,9 @@ struct SamplingOptions {
 ///
 /// Automatic: a shell is too coarse if faces longer than it is thick beneath them make more than
 /// half of its area; its edges are then split while longer than 0.7 of the thickness there (a rule
-/// measured on boxes, blocks, cylinders and scans; scans are left alone). At most 4000 points are
-/// added, or as many as there are vertices, and edges below 0.7 % of a shell's diagonal stay.
+/// measured on boxes, blocks, cylinders and scans; scans are left alone) and than 0.7 % of the
+/// diagonal. If that takes more than 4000 points and more than there are vertices, all lengths
+/// grow until it doesn't: even sampling, though sparse, is better than a part well sampled.
 ///
 /// Throws InputError "sampling_too_fine" if a fixed length asks for more than 5 million points,
 /// "sampling_negative" if it is negative or no number. O(n log n) in the vertices of the result.
@@ -51,6 +52,9 @@ namespace detail {
 inline constexpr double kEdgePerThickness = 0.70710678118654752;
 /// Share of the diagonal below which no edge is split.
 inline constexpr double kShortest = 0.70710678118654752 / 100.0;
+/// An edge is at most this many times as long as the other sides of its faces may be, so that a
+/// narrow face beside a thin plate doesn't end up in needles.
+inline constexpr double kGrading = 2.0;
 inline constexpr std::size_t kMostAutomatic = 4000;
 inline constexpr std::size_t kMostFixed = 5000000;
 
@@ -102,6 +106,9 @@ class FixedLength {
 /// The longest that an edge may be, by the thickness beneath the two faces at it.
 class LengthByThickness {
  public:
+  /// Lengths are multiplied by this.
+  double scale = 1.0;
+
   LengthByThickness(const TriangleSurface& surface, const SurfaceTree& tree,
                     const CoarseShells& coarse)
       : surface_(surface), field_of_face_(surface.triangles.size(), kNone) {
@@ -116,11 +123,22 @@ class LengthByThickness {
   }
 
   double operator()(const SurfaceRefiner& refiner, Index side) const {
-    return std::max(shortest_, kEdgePerThickness * std::min(beneath(refiner, side),
-                                                            beneath(refiner, refiner.twin(side))));
+    double allowed = by_thickness(refiner, side);
+    for (const Index from : {side, refiner.twin(side)}) {
+      const Index second = SurfaceRefiner::next(from);
+      const Index third = SurfaceRefiner::next(second);
+      allowed = std::min({allowed, kGrading * by_thickness(refiner, second),
+                          kGrading * by_thickness(refiner, third)});
+    }
+    return scale * std::max(shortest_, allowed);
   }
 
  private:
+  double by_thickness(const SurfaceRefiner& refiner, Index side) const {
+    return kEdgePerThickness *
+           std::min(beneath(refiner, side), beneath(refiner, refiner.twin(side)));
+  }
+
   /// The least thickness at three points beside the edge, within the face of `side`.
   double beneath(const SurfaceRefiner& refiner, Index side) const {
     const Index face = refiner.parent(side / 3);
@@ -176,7 +194,13 @@ class WorstFirstSplitter {
       }
       const Candidate worst = queue_.top();
       queue_.pop();
-      if (is_current(worst)) split(worst.side);
+      const Candidate now = candidate(worst.side);
+      if (now.low != worst.low || now.high != worst.high) continue;  // the side is another edge's
+      if (now.excess == worst.excess) {
+        split(worst.side);
+      } else if (now.excess > 1.0) {
+        queue_.push(now);
+      }
     }
   }
 
@@ -203,12 +227,6 @@ class WorstFirstSplitter {
   void consider(Index side) {
     const Candidate fresh = candidate(side);
     if (fresh.excess > 1.0) queue_.push(fresh);
-  }
-
-  /// False if the edge has gone or its faces have changed, in which case it was queued anew.
-  bool is_current(const Candidate& old) const {
-    const Candidate now = candidate(old.side);
-    return now.low == old.low && now.high == old.high && now.excess == old.excess;
   }
 
   void split(Index side) {
@@ -268,6 +286,21 @@ RefinedSurface split_long_edges(const TriangleSurface& surface, const Allowed& a
   return std::move(refiner).release();
 }
 
+/// Splits by thickness, with all lengths multiplied by the least power of 3/2 that keeps the number
+/// of points within bounds.
+inline RefinedSurface split_by_thickness(const TriangleSurface& surface, const SurfaceTree& tree,
+                                         const CoarseShells& coarse, const Progress& progress) {
+  const std::size_t count = surface.points.size();
+  const std::size_t most = count + std::max(count, kMostAutomatic);
+  LengthByThickness allowed(surface, tree, coarse);
+  RefinedSurface refined = split_long_edges(surface, allowed, most, progress);
+  while (refined.surface.points.size() >= most) {
+    allowed.scale *= 1.5;
+    refined = split_long_edges(surface, allowed, most, progress);
+  }
+  return refined;
+}
+
 }  // namespace detail
 
 inline std::vector<Index> too_coarse_faces(const TriangleSurface& surface) {
@@ -289,8 +322,7 @@ inline RefinedSurface refine_sampling(const TriangleSurface& surface,
     const detail::CoarseShells coarse = detail::find_coarse_shells(surface, tree);
     const auto& chosen = coarse.coarse_shell;
     if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end()) return unrefined(surface);
-    return detail::split_long_edges(surface, detail::LengthByThickness(surface, tree, coarse),
-                                    count + std::max(count, detail::kMostAutomatic), progress);
+    return detail::split_by_thickness(surface, tree, coarse, progress);
   }
   const double length = *options.length;
   if (!(length >= 0.0)) {
