@@ -8,7 +8,7 @@
 #include <exception>
 #include <map>
 
-#include "vcg_ext/exact/predicates.h"
+#include "vcg_ext/exact/cgal_kernel.h"
 
 namespace mgf {
 namespace {

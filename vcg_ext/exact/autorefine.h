@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A self-intersecting surface cut along its crossings. Compiled once (autorefine.cpp), for CGAL's
-// corefinement would double the time that everything above takes to compile.
+// A self-intersecting surface cut along its crossings.
 #pragma once
 
 #include <optional>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Signs of determinants of points, always right: a floating-point filter that settles nearly every
-// call inline, exact arithmetic for the rest.
+// call inline, exact arithmetic (predicates.cpp) for the rest.
 #pragma once
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cmath>
 
@@ -11,12 +9,6 @@
 
 namespace mgf {
 namespace exact_detail {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-inline Kernel::Point_3 to_cgal(const Vec3& p) {
-  return {p.x(), p.y(), p.z()};
-}
 
 // Bounds on the rounding error of the determinants below, as multiples of their permanents
 // (Shewchuk 1997, "Adaptive precision floating-point arithmetic", section 4.3), with a little to
@@ -32,17 +24,14 @@ inline int sign(double value) {
   return (value > 0.0) - (value < 0.0);
 }
 
-inline int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return static_cast<int>(CGAL::orientation(to_cgal(a), to_cgal(b), to_cgal(c), to_cgal(d)));
-}
-
-inline int in_sphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
-                           const Vec3& e) {
-  return static_cast<int>(
-      CGAL::side_of_oriented_sphere(to_cgal(a), to_cgal(b), to_cgal(c), to_cgal(d), to_cgal(e)));
-}
+int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+int in_sphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
 }  // namespace exact_detail
+
+/// The sign of the area of a, b, c seen from above (+z): +1 if anticlockwise, 0 if their
+/// projections lie on a line. Exact for finite coordinates.
+int orient2d_from_above(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// The sign of det(b - a, c - a, d - a): +1 if d sees a, b, c clockwise, that is if abcd is a
 /// positively oriented tetrahedron, -1 if negatively, 0 if the four points are coplanar. Exact for

@@ -130,8 +130,7 @@ class SegmentBoxFilter {
 /// Sign of the orientation of a, b, p + (e, e^2) seen from above, for an infinitesimal e > 0;
 /// 0 only if a and b lie one above the other.
 inline int perturbed_orientation_from_above(const Vec3& a, const Vec3& b, const Vec3& p) {
-  using Point = exact::Kernel::Point_2;
-  const int sign = CGAL::orientation(Point(a.x(), a.y()), Point(b.x(), b.y()), Point(p.x(), p.y()));
+  const int sign = orient2d_from_above(a, b, p);
   if (sign != 0) return sign;
   if (a.y() != b.y()) return b.y() < a.y() ? 1 : -1;
   if (a.x() != b.x()) return b.x() > a.x() ? 1 : -1;
