@@ -40,9 +40,9 @@ inline Anatomy dissect(const TriangleSurface& surface, double threshold) {
   const MedialGeodesicField field =
       evaluate_medial_geodesic_function(surface, complex, {Certification::kPractical, 1}, {});
   const SurfaceTree tree(surface);
-  const SegmentInside inside = [&tree](const Vec3& a, const Vec3& b) {
-    return (a == b || !tree.segment_meets(a, b)) && tree.inside(a);
-  };
+  const ShapeInterior inside{
+      [&tree](const Vec3& p) { return tree.inside(p); },
+      [&tree](const Vec3& a, const Vec3& b) { return a == b || !tree.segment_meets(a, b); }};
   const SkeletonHierarchy hierarchy = build_skeleton_hierarchy(
       interior, complex, field, surface.points, bounding_box_diagonal(surface.points), {}, inside);
   Anatomy result;

@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <random>
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "tests/voxel_solids.h"
 #include "vcg_ext/core/disjoint_sets.h"
@@ -56,6 +61,69 @@ Index components(const MedialComplex& complex, const ErodedComplex& eroded) {
     if (eroded.edge_alive[e] != 0 && sets.join(ends[0], ends[1])) --count;
   }
   return count;
+}
+
+/// What a cell is ordered by, from its definition.
+struct FullKey {
+  std::vector<double> mgf;  // of its facets, descending
+  bool is_vertex = false;
+  double size = 0.0;
+  Index cell = 0;
+  bool operator<(const FullKey& other) const {
+    return std::tie(mgf, is_vertex, size, cell) <
+           std::tie(other.mgf, other.is_vertex, other.size, other.cell);
+  }
+};
+
+std::vector<FullKey> full_keys(const Scene& scene, const std::vector<double>& mgf) {
+  const MedialComplex& complex = scene.complex;
+  const std::vector<Vec3>& points = scene.interior.points;
+  std::vector<FullKey> keys(complex.edge_count() + complex.vertex_count());
+  for (Index e = 0; e < complex.edge_count(); ++e) {
+    const auto [a, b, c] = complex.edge_contacts[e];
+    const std::array<double, 3> sides = {(points[a] - points[b]).norm(),
+                                         (points[b] - points[c]).norm(),
+                                         (points[c] - points[a]).norm()};
+    for (const Index f : complex.edge_facets[e]) {
+      if (f != kNone) keys[e].mgf.push_back(mgf[f]);
+    }
+    if (keys[e].mgf.empty()) keys[e].mgf = {*std::max_element(sides.begin(), sides.end())};
+    keys[e].size = sides[0] + sides[1] + sides[2];
+  }
+  for (Index v = 0; v < complex.vertex_count(); ++v) {
+    FullKey& key = keys[complex.edge_count() + v];
+    std::set<Index> facets;
+    for (const Index e : complex.vertex_edges[v]) {
+      facets.insert(complex.edge_facets[e].begin(), complex.edge_facets[e].end());
+    }
+    facets.erase(kNone);
+    for (const Index f : facets) key.mgf.push_back(mgf[f]);
+    key.is_vertex = true;
+    key.size = complex.radius[v];
+  }
+  for (Index cell = 0; cell < keys.size(); ++cell) {
+    keys[cell].cell = cell;
+    std::sort(keys[cell].mgf.rbegin(), keys[cell].mgf.rend());
+    keys[cell].mgf.resize(6, 0.0);
+  }
+  return keys;
+}
+
+TEST(ErosionOrder, SortsByAllThatTheKeysSay) {
+  const Scene scene(plate_of_cubes(4, 3), 3);
+  std::vector<double> rough = scene.mgf;  // with ties
+  for (double& f : rough) f = std::ceil(4.0 * f) / 4.0;
+  for (const std::vector<double>& mgf : {scene.mgf, rough}) {
+    std::vector<FullKey> keys = full_keys(scene, mgf);
+    std::sort(keys.begin(), keys.end());
+    for (const unsigned threads : {1U, 2U, 5U}) {
+      const ErosionOrder order = order_cells(scene.complex, mgf, scene.interior.points, threads);
+      ASSERT_EQ(order.cell_at.size(), keys.size());
+      for (Index rank = 0; rank < keys.size(); ++rank) {
+        ASSERT_EQ(order.cell_at[rank], keys[rank].cell);
+      }
+    }
+  }
 }
 
 TEST(ErosionOrder, FollowsTheLargestIncidentMgf) {

@@ -63,8 +63,7 @@ Report report_of(const CurveSkeleton& skeleton, const BranchGraph& graph) {
 
 void write_all(const std::filesystem::path& folder, const CurveSkeleton& skeleton) {
   const BranchGraph graph = build_branches(skeleton);
-  const SmoothSkeleton smooth =
-      smooth_skeleton(skeleton, graph, [](const Vec3&, const Vec3&) { return true; });
+  const SmoothSkeleton smooth = smooth_skeleton(skeleton, graph, test::everywhere());
   write_medial_axis(folder / "medial_axis.ply", test::two_facets(), {3.0, 0.1},
                     {{1, 0, 0}, {0, 0, -1}}, same_numbers(6));
   write_skeleton(folder / "skeleton.ply", skeleton, graph);

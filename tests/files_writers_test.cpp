@@ -167,8 +167,7 @@ TEST(SmoothSkeletonFile, HasTheBranchesAndKindsOfTheRawOne) {
   const TemporaryFolder folder;
   const CurveSkeleton skeleton = test::ring_with_tail();
   const BranchGraph graph = build_branches(skeleton);
-  const SmoothSkeleton smooth =
-      smooth_skeleton(skeleton, graph, [](const Vec3&, const Vec3&) { return true; });
+  const SmoothSkeleton smooth = smooth_skeleton(skeleton, graph, test::everywhere());
   write_skeleton_smooth(folder / "s.ply", smooth, graph);
   const VcgPlyElement vertex(folder / "s.ply", "vertex");
   const VcgPlyElement edge(folder / "s.ply", "edge");

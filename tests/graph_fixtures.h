@@ -14,8 +14,20 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branch_chains.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/skeleton/shape_interior.h"
 
 namespace mgf::test {
+
+/// A shape with all points inside, from which only the segments with `stays_inside` don't stray.
+template <class StaysInside>
+ShapeInterior shape_of_segments(const StaysInside& stays_inside) {
+  return {[](const Vec3&) { return true; }, stays_inside};
+}
+
+/// All of space.
+inline ShapeInterior everywhere() {
+  return shape_of_segments([](const Vec3&, const Vec3&) { return true; });
+}
 
 /// A skeleton in a tube of radius `radius`: MGF pi r, girth 2 pi r, eccentricity 1 everywhere.
 inline CurveSkeleton tube_skeleton(std::vector<Vec3> nodes, std::vector<std::array<Index, 2>> edges,

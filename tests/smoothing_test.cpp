@@ -17,6 +17,7 @@ namespace mgf {
 namespace {
 
 using test::add_polyline;
+using test::everywhere;
 using test::line_skeleton;
 using test::ring_skeleton;
 using test::single_node_skeleton;
@@ -24,10 +25,6 @@ using test::star_skeleton;
 using test::tube_skeleton;
 
 constexpr double kDegree = M_PI / 180;
-
-bool everywhere(const Vec3& /*a*/, const Vec3& /*b*/) {
-  return true;
-}
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const double squared = (b - a).squaredNorm();
@@ -89,7 +86,7 @@ TEST(Smoothing, TakesTheZigzagOffAHelix) {
   const CurveSkeleton clean = helix(0.5);
   const CurveSkeleton raw = shaken(clean, 0.08, 1);
   const BranchGraph graph = build_branches(raw);
-  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere());
   expect_faithful(raw, graph, smooth, 0.25);
   EXPECT_LE(smooth.mean_turning, 5 * kDegree);
   double sum = 0.0;
@@ -100,7 +97,7 @@ TEST(Smoothing, TakesTheZigzagOffAHelix) {
 TEST(Smoothing, DoesntShrinkACircle) {
   const CurveSkeleton raw = ring_skeleton(5.0, 200, 1.0);
   const BranchGraph graph = build_branches(raw);
-  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere());
   expect_faithful(raw, graph, smooth, 0.5);
   for (const Vec3& p : smooth.position) EXPECT_NEAR(p.norm(), 5.0, 2e-3);
 }
@@ -108,7 +105,7 @@ TEST(Smoothing, DoesntShrinkACircle) {
 TEST(Smoothing, KeepsTheGraphOfAStar) {
   const CurveSkeleton raw = shaken(star_skeleton({4, 5, 6, 7}, 60, 0.5), 0.05, 2);
   const BranchGraph graph = build_branches(raw);
-  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere());
   expect_faithful(raw, graph, smooth, 0.25);
   EXPECT_LE(smooth.mean_turning, 5 * kDegree);
 }
@@ -116,7 +113,7 @@ TEST(Smoothing, KeepsTheGraphOfAStar) {
 TEST(Smoothing, ShiftsNoFurtherThanAllowedEvenWhereTheZigzagIsWild) {
   const CurveSkeleton raw = shaken(helix(0.2), 0.5, 3);
   const BranchGraph graph = build_branches(raw);
-  expect_faithful(raw, graph, smooth_skeleton(raw, graph, everywhere), 0.1);
+  expect_faithful(raw, graph, smooth_skeleton(raw, graph, everywhere()), 0.1);
 }
 
 TEST(Smoothing, FollowsTheRawCurveWhereNothingElseIsInside) {
@@ -128,7 +125,7 @@ TEST(Smoothing, FollowsTheRawCurveWhereNothingElseIsInside) {
     return true;
   };
   const BranchGraph graph = build_branches(raw);
-  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, only_on_it);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, test::shape_of_segments(only_on_it));
   EXPECT_EQ(smooth.outside_edges, 0U);
   expect_faithful(raw, graph, smooth, 1e-9);
 }
@@ -148,8 +145,8 @@ TEST(Smoothing, DoesntCutTheCornerOfANarrowBend) {
     return true;
   };
   const BranchGraph graph = build_branches(raw);
-  EXPECT_GT(smooth_skeleton(raw, graph, everywhere).position.size(), 0U);
-  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, in_corridor);
+  EXPECT_GT(smooth_skeleton(raw, graph, everywhere()).position.size(), 0U);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, test::shape_of_segments(in_corridor));
   EXPECT_EQ(smooth.outside_edges, 0U);
   expect_faithful(raw, graph, smooth, 0.5);
 }
@@ -159,7 +156,8 @@ TEST(Smoothing, CountsEdgesThatAreOutsideInTheRawOneToo) {
   const auto broken_in_the_middle = [](const Vec3& a, const Vec3& b) {
     return std::max(a.x(), b.x()) <= 1.4 || std::min(a.x(), b.x()) >= 1.6;
   };
-  const SmoothSkeleton smooth = smooth_skeleton(raw, build_branches(raw), broken_in_the_middle);
+  const SmoothSkeleton smooth =
+      smooth_skeleton(raw, build_branches(raw), test::shape_of_segments(broken_in_the_middle));
   EXPECT_GE(smooth.outside_edges, 1U);
   EXPECT_LT(smooth.outside_edges, smooth.edge_count());
   EXPECT_EQ(std::count(smooth.outside.begin(), smooth.outside.end(), char{1}),
@@ -170,7 +168,7 @@ TEST(Smoothing, CarriesTheMeasuresOfTheEdgeBeneath) {
   CurveSkeleton raw = line_skeleton(4.0, 4, 1.0);
   raw.girth = {1, 2, 3, 4};
   raw.node_mgf = {0, 1, 2, 3, 4};
-  const SmoothSkeleton smooth = smooth_skeleton(raw, build_branches(raw), everywhere);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, build_branches(raw), everywhere());
   ASSERT_EQ(smooth.raw_edge.size(), smooth.edge_count());
   for (Index e = 0; e < smooth.edge_count(); ++e) {
     const double middle =
@@ -186,18 +184,18 @@ TEST(Smoothing, CarriesTheMeasuresOfTheEdgeBeneath) {
 
 TEST(Smoothing, CopesWithTheSmallestSkeletons) {
   const CurveSkeleton one = single_node_skeleton();
-  const SmoothSkeleton still_one = smooth_skeleton(one, build_branches(one), everywhere);
+  const SmoothSkeleton still_one = smooth_skeleton(one, build_branches(one), everywhere());
   EXPECT_EQ(still_one.node_count(), 1U);
   EXPECT_EQ(still_one.edge_count(), 0U);
-  EXPECT_EQ(smooth_skeleton({}, build_branches({}), everywhere).node_count(), 0U);
+  EXPECT_EQ(smooth_skeleton({}, build_branches({}), everywhere()).node_count(), 0U);
 
   const CurveSkeleton point = tube_skeleton({Vec3::Ones(), Vec3::Ones()}, {{0, 1}}, 0.5);
-  for (const Vec3& p : smooth_skeleton(point, build_branches(point), everywhere).position) {
+  for (const Vec3& p : smooth_skeleton(point, build_branches(point), everywhere()).position) {
     EXPECT_EQ(p, Vec3::Ones());
   }
   const CurveSkeleton triangle = ring_skeleton(1.0, 3, 10.0);  // a loop far smaller than the tube
   const BranchGraph graph = build_branches(triangle);
-  expect_faithful(triangle, graph, smooth_skeleton(triangle, graph, everywhere), 5.0);
+  expect_faithful(triangle, graph, smooth_skeleton(triangle, graph, everywhere()), 5.0);
 }
 
 TEST(Smoothing, KeepsParallelAndClosedBranchesApart) {
@@ -210,7 +208,7 @@ TEST(Smoothing, KeepsParallelAndClosedBranchesApart) {
   const CurveSkeleton raw = tube_skeleton(nodes, edges, 5.0);
   const BranchGraph graph = build_branches(raw);
   EXPECT_EQ(graph.cycles, 3U);
-  expect_faithful(raw, graph, smooth_skeleton(raw, graph, everywhere), 2.5);
+  expect_faithful(raw, graph, smooth_skeleton(raw, graph, everywhere()), 2.5);
 }
 
 }  // namespace

@@ -127,10 +127,10 @@ inline void discard_vertices_outside(const SurfaceTree& tree, const TriangleSurf
   }
 }
 
-/// Whether segments stay inside the region of positive winding number of a surface.
-inline SegmentInside inside_test(const SurfaceTree& tree, bool self_intersecting) {
-  return [&tree, self_intersecting](const Vec3& a, const Vec3& b) {
-    if (a == b || !tree.segment_meets(a, b)) return tree.inside(a);
+/// The region of positive winding number of a surface.
+inline ShapeInterior shape_interior(const SurfaceTree& tree, bool self_intersecting) {
+  const auto stays_inside = [&tree, self_intersecting](const Vec3& a, const Vec3& b) {
+    if (a == b || !tree.segment_meets(a, b)) return true;
     if (!self_intersecting) return false;
     // The segment may pass through a sheet that lies inside the shape: look on both sides of it.
     constexpr int kSamples = 16;
@@ -139,6 +139,7 @@ inline SegmentInside inside_test(const SurfaceTree& tree, bool self_intersecting
     }
     return true;
   };
+  return {[&tree](const Vec3& point) { return tree.inside(point); }, stays_inside};
 }
 
 }  // namespace detail
@@ -212,7 +213,7 @@ inline CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
   result.hierarchy =
       build_skeleton_hierarchy(axis.interior, axis.complex, field, axis.surface.surface.points,
                                bounding_box_diagonal(axis.interior.points), options,
-                               detail::inside_test(tree, self_intersecting));
+                               detail::shape_interior(tree, self_intersecting));
   clock.finish("skeleton", result.times);
 
   const SkeletonHierarchy& hierarchy = result.hierarchy;

@@ -11,6 +11,7 @@
 #include "vcg_ext/medial/medial_complex.h"
 #include "vcg_ext/skeleton/erosion_order.h"
 #include "vcg_ext/skeleton/marking.h"
+#include "vcg_ext/skeleton/rank_queue.h"
 
 namespace mgf {
 
@@ -35,7 +36,7 @@ struct ErodedComplex {
 class Erosion {
  public:
   Erosion(const MedialComplex& complex, const ErosionOrder& order, const std::vector<double>& mgf)
-      : complex_(complex), order_(order), mgf_(mgf) {}
+      : complex_(complex), order_(order), mgf_(mgf), queue_(order.cell_at.size()) {}
 
   /// `marks` ascending by score, as `choose_marks` gives them. n log n.
   ErodedComplex run(const std::vector<Index>& marks, const std::vector<double>& score,
@@ -104,8 +105,7 @@ class Erosion {
   void collapse_all() {
     const Index edges = to_index(complex_.edge_count());
     while (!queue_.empty()) {
-      const Index cell = order_.cell_at[queue_.top()];
-      queue_.pop();
+      const Index cell = order_.cell_at[queue_.pop()];
       if (cell < edges) {
         if (edge_is_free(cell)) collapse_edge(cell);
       } else {
@@ -214,7 +214,7 @@ class Erosion {
   std::vector<Index> edges_of_vertex_;  ///< live cofaces
   std::vector<Index> marks_of_vertex_;
   Index live_facets_ = 0;
-  std::priority_queue<Index, std::vector<Index>, std::greater<>> queue_;
+  RankQueue queue_;  ///< ranks of cells that may have become free
 };
 
 }  // namespace mgf

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <cstddef>
+#include <numeric>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/medial_complex.h"
 
@@ -38,108 +40,147 @@ inline std::vector<double> erosion_priority(const MedialComplex& complex,
   return priority;
 }
 
-/// The values by which a cell is ordered: its facets' f, descending, filled up with 0; then a size.
-struct ErosionKey {
-  std::array<double, 6> mgf{};
-  bool is_vertex = false;
-  double size = 0.0;
-
-  /// Adds a facet's f, keeping the descending order; at most six fit.
-  void insert(double value) {
-    for (double& entry : mgf) {
-      if (value > entry) std::swap(value, entry);
-    }
-  }
-
-  bool operator<(const ErosionKey& other) const {
-    if (mgf != other.mgf) return mgf < other.mgf;
-    if (is_vertex != other.is_vertex) return other.is_vertex;
-    return size < other.size;
-  }
-};
-
-/// Makes the keys of cells; `points` are numbered as the contacts.
-class ErosionKeys {
+/// Orders cells by their keys: the f of a cell's facets, descending, filled up with nothing; an
+/// edge before a vertex; a size; the number. The key of an edge without facets (a tube as thin as
+/// one triangle) starts with the longest side of its dual triangle.
+///
+/// Only the facets are sorted. Taking them from the largest f down and noting each at its cells
+/// gives all keys in order, and the cells grouped by their first entry; what is left to sort is
+/// each small group.
+class CellSorter {
  public:
-  ErosionKeys(const MedialComplex& complex, const std::vector<double>& mgf,
-              const std::vector<Vec3>& points)
-      : complex_(complex), points_(points), priority_(erosion_priority(complex, mgf)) {}
+  /// `points` are numbered as the contacts.
+  CellSorter(const MedialComplex& complex, const std::vector<Vec3>& points)
+      : complex_(complex),
+        points_(points),
+        edge_levels_(complex.edge_count(), EdgeLevels{}),
+        vertex_levels_(complex.vertex_count(), VertexLevels{}) {}
 
-  /// The first entry of the cell's key, enough to order most cells.
-  double leading_mgf(Index cell) const { return key(cell).mgf[0]; }
-
-  ErosionKey key(Index cell) const {
-    return cell < complex_.edge_count() ? edge_key(cell)
-                                        : vertex_key(cell - to_index(complex_.edge_count()));
+  /// All cells, descending; `mgf` has one entry per facet.
+  std::vector<Index> descending_cells(const std::vector<double>& mgf, unsigned threads) {
+    group_cells(erosion_priority(complex_, mgf));
+    constexpr std::size_t kChunk = 256;
+    parallel_for(groups_.size(), threads, kChunk, [&](std::size_t group, unsigned) {
+      const auto first = groups_.items.begin();
+      std::sort(first + groups_.begin[group], first + groups_.begin[group + 1],
+                [&](Index p, Index q) { return precedes(q, p); });
+    });
+    return std::move(groups_.items);
   }
 
  private:
-  ErosionKey edge_key(Index edge) const {
-    ErosionKey key;
-    const Triangle& dual = complex_.edge_contacts[edge];
-    double longest = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index facet = complex_.edge_facets[edge][i];
-      if (facet != kNone) key.insert(priority_[facet]);
-      const double side = (points_[dual[i]] - points_[dual[(i + 1) % 3]]).norm();
-      key.size += side;
-      longest = std::max(longest, side);
-    }
-    if (key.mgf[0] == 0.0) key.insert(longest);  // no facet: a tube as thin as one triangle
-    return key;
+  // Levels number the values of f from 1 up; 0 stands for no further facet. Each list descends.
+  using EdgeLevels = std::array<Index, 3>;
+  using VertexLevels = std::array<Index, 6>;  // a tetrahedron has six edges
+
+  Index edge_count() const { return to_index(complex_.edge_count()); }
+
+  /// Longest side of an edge's dual triangle.
+  double longest_side(Index edge) const {
+    const std::array<double, 3> sides = dual_sides(edge);
+    return *std::max_element(sides.begin(), sides.end());
+  }
+  std::array<double, 3> dual_sides(Index edge) const {
+    const auto [a, b, c] = complex_.edge_contacts[edge];
+    return {(points_[a] - points_[b]).norm(), (points_[b] - points_[c]).norm(),
+            (points_[c] - points_[a]).norm()};
   }
 
-  ErosionKey vertex_key(Index vertex) const {
-    std::array<Index, 6> facets{};  // a tetrahedron has six edges
-    std::size_t count = 0;
-    for (const Index edge : complex_.vertex_edges[vertex]) {
-      for (const Index facet : complex_.edge_facets[edge]) {
-        const Index* const end = facets.data() + count;
-        if (facet != kNone && std::find<const Index*>(facets.data(), end, facet) == end)
-          facets[count++] = facet;
+  /// The size that decides between cells of the same kind with the same facets.
+  double size(Index cell) const {
+    if (cell >= edge_count()) return complex_.radius[cell - edge_count()];
+    const std::array<double, 3> sides = dual_sides(cell);
+    return sides[0] + sides[1] + sides[2];
+  }
+
+  /// Makes the keys, and `groups_`: the cells whose key starts with the same level, a row each,
+  /// levels descending.
+  void group_cells(std::vector<double> value_of) {
+    const Index facets = to_index(complex_.facet_count());
+    std::vector<Index> lone_edges;
+    for (Index e = 0; e < edge_count(); ++e) {
+      const auto& around = complex_.edge_facets[e];
+      if (std::any_of(around.begin(), around.end(), [](Index f) { return f != kNone; })) continue;
+      lone_edges.push_back(e);
+      value_of.push_back(longest_side(e));
+    }
+    std::vector<Index> sources(value_of.size());  // of values: a facet, or facets + a lone edge
+    std::iota(sources.begin(), sources.end(), Index{0});
+    std::sort(sources.begin(), sources.end(),
+              [&](Index p, Index q) { return value_of[p] > value_of[q]; });
+
+    groups_.items.reserve(complex_.edge_count() + complex_.vertex_count());
+    Index level = to_index(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const Index source = sources[i];
+      if (i > 0 && value_of[source] != value_of[sources[i - 1]]) {
+        groups_.close_row();
+        --level;
+      }
+      if (source >= facets) {
+        note(lone_edges[source - facets], level, edge_levels_[lone_edges[source - facets]]);
+        continue;
+      }
+      for (const Index e : complex_.facet_edges[source]) note(e, level, edge_levels_[e]);
+      for (const Index v : complex_.facet_vertices[source]) {
+        note(edge_count() + v, level, vertex_levels_[v]);
       }
     }
-    ErosionKey key;
-    for (std::size_t i = 0; i < count; ++i) key.insert(priority_[facets[i]]);
-    key.is_vertex = true;
-    key.size = complex_.radius[vertex];
-    return key;
+    groups_.close_row();
+    for (Index v = 0; v < complex_.vertex_count(); ++v) {
+      if (vertex_levels_[v][0] == 0) groups_.items.push_back(edge_count() + v);
+    }
+    groups_.close_row();
+  }
+
+  /// Appends a level to a cell's key; the first one puts the cell into the current group.
+  template <class Levels>
+  void note(Index cell, Index level, Levels& levels) {
+    if (levels[0] == 0) groups_.items.push_back(cell);
+    *std::find(levels.begin(), levels.end(), Index{0}) = level;
+  }
+
+  /// Level number i of a cell's key.
+  Index level_of(Index cell, std::size_t i) const {
+    if (cell >= edge_count()) return vertex_levels_[cell - edge_count()][i];
+    return i < EdgeLevels{}.size() ? edge_levels_[cell][i] : 0;
+  }
+
+  bool precedes(Index p, Index q) const {
+    for (std::size_t i = 1; i < VertexLevels{}.size(); ++i) {
+      const Index p_level = level_of(p, i);
+      const Index q_level = level_of(q, i);
+      if (p_level != q_level) return p_level < q_level;
+    }
+    const bool p_is_edge = p < edge_count();
+    if (p_is_edge != (q < edge_count())) return p_is_edge;
+    const double p_size = size(p);
+    const double q_size = size(q);
+    return p_size != q_size ? p_size < q_size : p < q;
   }
 
   const MedialComplex& complex_;
   const std::vector<Vec3>& points_;
-  std::vector<double> priority_;
+  std::vector<EdgeLevels> edge_levels_;
+  std::vector<VertexLevels> vertex_levels_;
+  Rows<Index> groups_;
 };
 
 }  // namespace detail
 
-/// Orders all edges and vertices of the complex. n log n; exact ties (symmetric shapes) by number.
+/// Orders all edges and vertices of the complex. `points` are numbered as the contacts. n log n;
+/// exact ties (symmetric shapes) by number. The same for any number of `threads` (0: all).
 inline ErosionOrder order_cells(const MedialComplex& complex, const std::vector<double>& mgf,
-                                const std::vector<Vec3>& points) {
-  struct Entry {
-    double leading;
-    Index cell;
-  };
-  const detail::ErosionKeys keys(complex, mgf, points);
-  const Index edges = to_index(complex.edge_count());
-  const Index cells = edges + to_index(complex.vertex_count());
-  std::vector<Entry> entries(cells);
-  for (Index cell = 0; cell < cells; ++cell) entries[cell] = {keys.leading_mgf(cell), cell};
-  std::sort(entries.begin(), entries.end(), [&](const Entry& p, const Entry& q) {
-    if (p.leading != q.leading) return p.leading < q.leading;
-    const detail::ErosionKey p_key = keys.key(p.cell);
-    const detail::ErosionKey q_key = keys.key(q.cell);
-    if (p_key < q_key) return true;
-    return !(q_key < p_key) && p.cell < q.cell;
-  });
-
+                                const std::vector<Vec3>& points, unsigned threads = 0) {
   ErosionOrder order;
+  order.cell_at = detail::CellSorter(complex, points).descending_cells(mgf, thread_count(threads));
+  std::reverse(order.cell_at.begin(), order.cell_at.end());
+
+  const Index edges = to_index(complex.edge_count());
   order.edge_rank.resize(edges);
   order.vertex_rank.resize(complex.vertex_count());
-  order.cell_at.resize(cells);
-  for (Index rank = 0; rank < cells; ++rank) {
-    const Index cell = entries[rank].cell;
-    order.cell_at[rank] = cell;
+  for (Index rank = 0; rank < order.cell_at.size(); ++rank) {
+    const Index cell = order.cell_at[rank];
     (cell < edges ? order.edge_rank[cell] : order.vertex_rank[cell - edges]) = rank;
   }
   return order;

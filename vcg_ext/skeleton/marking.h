@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/core/disjoint_sets.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/medial_complex.h"
 #include "vcg_ext/medial/medial_geodesic_function.h"
@@ -42,11 +43,13 @@ inline Vec3 normal_towards_facet(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// or normal vanishes. `points` are the surface's, numbered as the contacts.
 inline std::vector<double> divergence_scores(const MedialComplex& complex,
                                              const MedialGeodesicField& field,
-                                             const std::vector<Vec3>& points) {
+                                             const std::vector<Vec3>& points,
+                                             unsigned threads = 1) {
+  constexpr std::size_t kChunk = 4096;
   std::vector<double> score(complex.edge_count(), kUnmarkable);
-  for (std::size_t e = 0; e < score.size(); ++e) {
+  parallel_for(score.size(), threads, kChunk, [&](std::size_t e, unsigned) {
     const auto& ends = complex.edge_vertices[e];
-    if (complex.displaced[ends[0]] != 0 || complex.displaced[ends[1]] != 0) continue;
+    if (complex.displaced[ends[0]] != 0 || complex.displaced[ends[1]] != 0) return;
     const Triangle& dual = complex.edge_contacts[e];
     std::size_t facets = 0;
     double largest = -1.0;
@@ -61,7 +64,7 @@ inline std::vector<double> divergence_scores(const MedialComplex& complex,
       largest = std::max(largest, defined ? gradient.dot(normal) : kUnmarkable);
     }
     if (facets >= 2) score[e] = largest;
-  }
+  });
   return score;
 }
 

@@ -8,6 +8,7 @@
 
 #include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/errors.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/medial_complex.h"
@@ -16,8 +17,10 @@
 #include "vcg_ext/skeleton/erosion.h"
 #include "vcg_ext/skeleton/erosion_order.h"
 #include "vcg_ext/skeleton/graph_edits.h"
+#include "vcg_ext/skeleton/inside_routes.h"
 #include "vcg_ext/skeleton/level_of_detail.h"
 #include "vcg_ext/skeleton/marking.h"
+#include "vcg_ext/skeleton/shape_interior.h"
 #include "vcg_ext/skeleton/skeleton_graph.h"
 #include "vcg_ext/skeleton/theta_births.h"
 
@@ -34,6 +37,7 @@ struct SkeletonOptions {
   double prune = 0.3;   ///< leaf branches less significant than this are dropped; 0: none
   MarkingRule marking_rule = MarkingRule::kAll;
   bool open_pockets = false;  ///< open a closed pocket of the medial axis at its lowest MGF
+  unsigned threads = 0;       ///< 0: all; the result is the same for any number
 };
 
 /// The skeleton at every theta, from one erosion.
@@ -67,33 +71,51 @@ inline Index count_outside_edges(const CurveSkeleton& skeleton) {
       std::count(skeleton.outside.begin(), skeleton.outside.end(), char{1})));
 }
 
-/// Marks at the loosest theta, erodes once, and draws what is left. `surface_points` are numbered
-/// as the contacts; `scale` is a length of the size of the shape (its diagonal).
+namespace detail {
+
+/// Makes one node of Voronoi vertices that are one but for rounding; `scale` as below.
+inline VoronoiSkeleton contract_coincident_nodes(const VoronoiSkeleton& drawing, double scale) {
+  constexpr double kCoincident = 1e-9;  // of `scale`
+  VoronoiSkeleton result;
+  std::vector<Index> new_number;
+  result.skeleton = contract_short_edges(drawing.skeleton, kCoincident * scale, new_number);
+  result.voronoi_vertex.assign(result.skeleton.node_count(), kNone);
+  for (Index node = 0; node < new_number.size(); ++node) {
+    Index& vertex = result.voronoi_vertex[new_number[node]];
+    if (vertex == kNone) vertex = drawing.voronoi_vertex[node];  // the one whose place is kept
+  }
+  for (const Index node : drawing.last_nodes) result.last_nodes.push_back(new_number[node]);
+  return result;
+}
+
+}  // namespace detail
+
+/// Marks at the loosest theta, erodes once, and draws what is left inside the shape.
+/// `surface_points` are numbered as the contacts; `scale` is a length of the size of the shape (its
+/// diagonal).
 inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& interior,
                                                   const MedialComplex& complex,
                                                   const MedialGeodesicField& field,
                                                   const std::vector<Vec3>& surface_points,
                                                   double scale, const SkeletonOptions& options,
-                                                  const SegmentInside& segment_inside) {
-  constexpr double kMergeShare =
-      1e-9;  // of `scale`: Voronoi vertices that are one but for rounding
-  const ErosionOrder order = order_cells(complex, field.mgf, surface_points);
-  const std::vector<double> score = divergence_scores(complex, field, surface_points);
+                                                  const ShapeInterior& shape) {
+  const unsigned threads = thread_count(options.threads);
+  const ErosionOrder order = order_cells(complex, field.mgf, surface_points, threads);
+  const std::vector<double> score = divergence_scores(complex, field, surface_points, threads);
   const std::vector<Index> marks =
       choose_marks(complex, score, order.edge_rank, kLoosestTheta, options.marking_rule);
   const ErodedComplex eroded =
       Erosion(complex, order, field.mgf).run(marks, score, options.open_pockets);
   const ThetaBirths births = compute_theta_births(complex, eroded, order, kLoosestTheta);
-  SkeletonDrawing drawing =
-      draw_skeleton(interior, complex, field, surface_points, eroded, births, segment_inside);
+  VoronoiSkeleton drawing = detail::contract_coincident_nodes(
+      draw_skeleton(complex, field, surface_points, eroded, births, threads), scale);
+  route_inside(interior, shape, threads, drawing);
 
   SkeletonHierarchy hierarchy;
-  std::vector<Index> new_number;
-  hierarchy.full = contract_short_edges(drawing.skeleton, kMergeShare * scale, new_number);
+  hierarchy.full = std::move(drawing.skeleton);
+  hierarchy.last_nodes = std::move(drawing.last_nodes);
   fill_undefined_eccentricity(hierarchy.full);
   average_eccentricity(hierarchy.full);
-  test_edges_inside(segment_inside, hierarchy.full);
-  for (const Index node : drawing.last_nodes) hierarchy.last_nodes.push_back(new_number[node]);
   hierarchy.residual_facets = eroded.residual_facets;
   hierarchy.pockets_opened = eroded.pockets_opened;
   hierarchy.betti = betti_numbers(hierarchy.full);

@@ -15,7 +15,7 @@
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/graph_edits.h"
 #include "vcg_ext/skeleton/resampling.h"
-#include "vcg_ext/skeleton/segment_inside.h"
+#include "vcg_ext/skeleton/shape_interior.h"
 #include "vcg_ext/skeleton/stiff_curve.h"
 
 namespace mgf {
@@ -69,12 +69,12 @@ inline Turning turning_of(const std::vector<Vec3>& points) {
 inline std::vector<char> broken_constraints(const BranchCurve& curve,
                                             const std::vector<CurveSample>& samples,
                                             const std::vector<Vec3>& smooth, double max_shift,
-                                            const SegmentInside& segment_inside) {
+                                            const ShapeInterior& shape) {
   const std::size_t last = samples.size() - 1;
   std::vector<char> broken(samples.size(), 0);
   for (std::size_t k = 0; k <= last; ++k) {
     if ((smooth[k] - samples[k].point).norm() > max_shift * samples[k].radius) broken[k] = 1;
-    if (k < last && !segment_inside(smooth[k], smooth[k + 1])) broken[k] = broken[k + 1] = 1;
+    if (k < last && !shape.stays_inside(smooth[k], smooth[k + 1])) broken[k] = broken[k + 1] = 1;
   }
   const double step = curve.parameter.back() / static_cast<double>(last);
   for (std::size_t i = 0; i < curve.point.size(); ++i) {
@@ -99,7 +99,7 @@ struct Attempt {
 inline Attempt smooth_within_limits(const BranchCurve& curve,
                                     const std::vector<CurveSample>& samples, bool closed,
                                     double stiffness, const SmoothingOptions& options,
-                                    const SegmentInside& segment_inside) {
+                                    const ShapeInterior& shape) {
   constexpr double kTighter = 8.0;
   std::vector<Vec3> raw;
   raw.reserve(samples.size());
@@ -109,7 +109,7 @@ inline Attempt smooth_within_limits(const BranchCurve& curve,
   for (int round = 0; round < kYieldings; ++round) {
     attempt.points = stiff_curve(raw, tie, stiffness, closed);
     const std::vector<char> broken =
-        broken_constraints(curve, samples, attempt.points, options.max_shift, segment_inside);
+        broken_constraints(curve, samples, attempt.points, options.max_shift, shape);
     attempt.allowed = std::find(broken.begin(), broken.end(), char{1}) == broken.end();
     if (attempt.allowed) break;
     for (std::size_t k = 0; k < tie.size(); ++k) {
@@ -124,14 +124,14 @@ inline Attempt smooth_within_limits(const BranchCurve& curve,
 inline std::vector<Vec3> smooth_points(const BranchCurve& curve,
                                        const std::vector<CurveSample>& samples, bool closed,
                                        const SmoothingOptions& options,
-                                       const SegmentInside& segment_inside) {
+                                       const ShapeInterior& shape) {
   std::vector<Vec3> best;
   double best_turning = 0.0;
   bool best_allowed = false;
   double reach = kSmoothingLength / options.step;  // in steps
   for (int i = 0; i < kStiffenings; ++i, reach *= 2.0) {
     Attempt attempt =
-        smooth_within_limits(curve, samples, closed, std::pow(reach, 4), options, segment_inside);
+        smooth_within_limits(curve, samples, closed, std::pow(reach, 4), options, shape);
     const double turning = turning_of(attempt.points).mean();
     const bool better = best.empty() || (attempt.allowed && !best_allowed) ||
                         (attempt.allowed == best_allowed && turning < best_turning);
@@ -148,8 +148,7 @@ inline std::vector<Vec3> smooth_points(const BranchCurve& curve,
 /// Puts samples back on the curve until every segment between samples that isn't the curve's own
 /// is inside. Returns, per segment, whether it has to follow the curve's nodes.
 inline std::vector<char> retreat_inside(const std::vector<CurveSample>& samples, bool closed,
-                                        const SegmentInside& segment_inside,
-                                        std::vector<Vec3>& points) {
+                                        const ShapeInterior& shape, std::vector<Vec3>& points) {
   const std::size_t segments = samples.size() - 1;
   std::vector<char> on_curve(samples.size(), 0);
   on_curve.front() = on_curve.back() = closed ? 0 : 1;
@@ -161,7 +160,7 @@ inline std::vector<char> retreat_inside(const std::vector<CurveSample>& samples,
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t k = 0; k < segments; ++k) {
-      if (follows[k] || segment_inside(points[k], points[k + 1])) continue;
+      if (follows[k] || shape.stays_inside(points[k], points[k + 1])) continue;
       changed = true;
       follows[k] = on_curve[k] != 0 && on_curve[k + 1] != 0 ? 1 : 0;
       put_back(k);
@@ -178,14 +177,14 @@ inline std::vector<char> retreat_inside(const std::vector<CurveSample>& samples,
 /// A branch's smooth polyline with, per point, its place on the raw curve.
 inline std::vector<CurveSample> smooth_branch(const Branch& branch, const BranchCurve& curve,
                                               bool closed, const SmoothingOptions& options,
-                                              const SegmentInside& segment_inside) {
+                                              const ShapeInterior& shape) {
   // So that no edge becomes a loop and no two edges join the same nodes.
   const std::size_t least = branch.first_node == branch.last_node ? 3 : 2;
   const std::size_t count =
       std::max(least, static_cast<std::size_t>(std::ceil(curve.parameter.back() / options.step)));
   std::vector<CurveSample> samples = sample_evenly(curve, count);
-  std::vector<Vec3> points = smooth_points(curve, samples, closed, options, segment_inside);
-  const std::vector<char> follows = retreat_inside(samples, closed, segment_inside, points);
+  std::vector<Vec3> points = smooth_points(curve, samples, closed, options, shape);
+  const std::vector<char> follows = retreat_inside(samples, closed, shape, points);
 
   std::vector<CurveSample> polyline;
   std::size_t node = 0;
@@ -259,9 +258,9 @@ inline void add_branch(const CurveSkeleton& raw, const Branch& branch, Index id,
 /// Resamples every branch and bends it as little as its constraints allow: ends in place (a loop
 /// without junction is free all round), no point further than `max_shift` radii from its raw place,
 /// no segment outside the shape unless the raw one's is.
-/// `segment_inside` is asked a few times a node. Cost: a banded linear system a branch and round.
+/// `shape` is asked a few times a node. Cost: a banded linear system a branch and round.
 inline SmoothSkeleton smooth_skeleton(const CurveSkeleton& skeleton, const BranchGraph& graph,
-                                      const SegmentInside& segment_inside,
+                                      const ShapeInterior& shape,
                                       const SmoothingOptions& options = {}) {
   SmoothSkeleton smooth;
   const std::vector<Index> kept = smoothing::add_kept_nodes(skeleton, graph, smooth);
@@ -271,7 +270,7 @@ inline SmoothSkeleton smooth_skeleton(const CurveSkeleton& skeleton, const Branc
     const BranchCurve curve = branch_curve(skeleton, branch);
     const bool closed = graph.node_kind[branch.first_node] == NodeKind::kRegular;
     const std::vector<CurveSample> polyline =
-        smoothing::smooth_branch(branch, curve, closed, options, segment_inside);
+        smoothing::smooth_branch(branch, curve, closed, options, shape);
     smoothing::add_branch(skeleton, branch, b, curve, polyline, kept, smooth);
 
     std::vector<Vec3> points;
@@ -281,10 +280,10 @@ inline SmoothSkeleton smooth_skeleton(const CurveSkeleton& skeleton, const Branc
     turning.sum += own.sum;
     turning.count += own.count;
   }
-  for (const std::array<Index, 2>& ends : smooth.edge) {
-    const bool inside = segment_inside(smooth.position[ends[0]], smooth.position[ends[1]]);
-    smooth.outside.push_back(inside ? 0 : 1);
-    if (!inside) ++smooth.outside_edges;
+  const InsideParts inside = find_inside_parts(shape, smooth.position, smooth.edge, 1);
+  for (Index e = 0; e < smooth.edge_count(); ++e) {
+    smooth.outside.push_back(inside.has_edge(e, smooth.edge[e]) ? 0 : 1);
+    smooth.outside_edges += smooth.outside.back() != 0 ? 1 : 0;
   }
   average_eccentricity(smooth);
   smooth.mean_turning = turning.mean();
