@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -38,12 +39,14 @@ inline Box box_of_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
 /// threads may share it. Visits come in a fixed order.
 class BoxTree {
  public:
-  explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), items_(boxes_.size()) {
-    for (Index i = 0; i < items_.size(); ++i) items_[i] = i;
-    if (!items_.empty()) build(0, to_index(items_.size()));
+  explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+    if (boxes_.empty()) return;
+    std::vector<Place> places = centres();
+    build(places, 0, to_index(places.size()));
+    sort_items(places);
   }
 
-  /// Calls `visit(item)` for the items of every leaf that can be reached through boxes with
+  /// Calls `visit(item)` for the items whose box, and every box round it in the tree, has
   /// `enter(box)`.
   template <class Enter, class Visit>
   void visit(const Enter& enter, const Visit& visit) const {
@@ -72,40 +75,87 @@ class BoxTree {
     Index end;
     Index second_child;  // kNone: a leaf; the first child follows its parent
   };
+  // The centre of an item's box, as far as single precision tells, in shares of all: small, as
+  // these are moved about a lot.
+  struct Place {
+    std::array<float, 3> centre;
+    Index item;
+  };
 
-  void build(Index begin, Index end) {
-    const Index self = to_index(nodes_.size());
-    nodes_.push_back({boxes_[items_[begin]], begin, end, kNone});
-    Vec3 low = centre(items_[begin]);
-    Vec3 high = low;
-    for (Index i = begin; i < end; ++i) {
-      nodes_[self].box.extend(boxes_[items_[i]]);
-      low = low.cwiseMin(centre(items_[i]));
-      high = high.cwiseMax(centre(items_[i]));
+  std::vector<Place> centres() const {
+    Box all = boxes_.front();
+    for (const Box& box : boxes_) all.extend(box);
+    const double extent = (all.high - all.low).maxCoeff();
+    const double scale = extent > 0.0 ? 1.0 / extent : 0.0;
+    std::vector<Place> places;
+    places.reserve(boxes_.size());
+    for (Index i = 0; i < boxes_.size(); ++i) {
+      const Vec3 share = scale * ((0.5 * boxes_[i].low + 0.5 * boxes_[i].high) - all.low);
+      places.push_back({{static_cast<float>(share.x()), static_cast<float>(share.y()),
+                         static_cast<float>(share.z())},
+                        i});
     }
-    if (end - begin <= kLeafSize) return;
-    Eigen::Index axis = 0;
-    (high - low).maxCoeff(&axis);
-    const Index middle = begin + (end - begin) / 2;
-    std::nth_element(items_.begin() + begin, items_.begin() + middle, items_.begin() + end,
-                     [&](Index i, Index j) {
-                       const double ci = centre(i)[axis];
-                       const double cj = centre(j)[axis];
-                       return ci != cj ? ci < cj : i < j;
-                     });
-    build(begin, middle);
-    nodes_[self].second_child = to_index(nodes_.size());
-    build(middle, end);
+    return places;
   }
 
-  Vec3 centre(Index item) const { return 0.5 * boxes_[item].low + 0.5 * boxes_[item].high; }
+  // Halves [begin, end) across its widest axis, down to leaves. Returns the box of all.
+  Box build(std::vector<Place>& places, Index begin, Index end) {
+    const Index self = to_index(nodes_.size());
+    nodes_.push_back({boxes_[places[begin].item], begin, end, kNone});
+    if (end - begin <= kLeafSize) {
+      for (Index i = begin + 1; i < end; ++i) nodes_[self].box.extend(boxes_[places[i].item]);
+      return nodes_[self].box;
+    }
+    const std::size_t axis = widest_axis(places, begin, end);
+    const Index middle = begin + (end - begin) / 2;
+    std::nth_element(places.begin() + begin, places.begin() + middle, places.begin() + end,
+                     [axis](const Place& p, const Place& q) {
+                       const float x = p.centre[axis];
+                       const float y = q.centre[axis];
+                       return x != y ? x < y : p.item < q.item;
+                     });
+    Box box = build(places, begin, middle);
+    nodes_[self].second_child = to_index(nodes_.size());
+    box.extend(build(places, middle, end));
+    return nodes_[self].box = box;
+  }
+
+  static std::size_t widest_axis(const std::vector<Place>& places, Index begin, Index end) {
+    std::array<float, 3> low = places[begin].centre;
+    std::array<float, 3> high = low;
+    for (Index i = begin + 1; i < end; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], places[i].centre[axis]);
+        high[axis] = std::max(high[axis], places[i].centre[axis]);
+      }
+    }
+    std::size_t widest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis) {
+      if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
+    }
+    return widest;
+  }
+
+  // Puts the boxes in the order of the leaves: what is visited together lies together.
+  void sort_items(const std::vector<Place>& places) {
+    std::vector<Box> sorted;
+    sorted.reserve(places.size());
+    items_.reserve(places.size());
+    for (const Place& place : places) {
+      sorted.push_back(boxes_[place.item]);
+      items_.push_back(place.item);
+    }
+    boxes_ = std::move(sorted);
+  }
 
   template <class Enter, class Visit>
   void visit_from(Index at, const Enter& enter, const Visit& visit) const {
     const Node& node = nodes_[at];
     if (!enter(node.box)) return;
     if (node.second_child == kNone) {
-      for (Index i = node.begin; i < node.end; ++i) visit(items_[i]);
+      for (Index i = node.begin; i < node.end; ++i) {
+        if (enter(boxes_[i])) visit(items_[i]);
+      }
       return;
     }
     visit_from(at + 1, enter, visit);
@@ -136,7 +186,7 @@ class BoxTree {
     const Node& node = nodes_[at];
     if (node.second_child == kNone) {
       for (Index i = node.begin; i < node.end; ++i) {
-        for (Index j = i + 1; j < node.end; ++j) visit_pair(items_[i], items_[j], visit);
+        for (Index j = i + 1; j < node.end; ++j) visit_pair(i, j, visit);
       }
       return;
     }
@@ -153,7 +203,7 @@ class BoxTree {
     if (leaf_a && leaf_b) {
       for (Index i = nodes_[a].begin; i < nodes_[a].end; ++i) {
         for (Index j = nodes_[b].begin; j < nodes_[b].end; ++j) {
-          visit_pair(items_[i], items_[j], visit);
+          visit_pair(i, j, visit);
         }
       }
       return;
@@ -167,11 +217,11 @@ class BoxTree {
 
   template <class Visit>
   void visit_pair(Index i, Index j, const Visit& visit) const {
-    if (boxes_[i].meets(boxes_[j])) visit(i, j);
+    if (boxes_[i].meets(boxes_[j])) visit(items_[i], items_[j]);
   }
 
-  std::vector<Box> boxes_;
-  std::vector<Index> items_;
+  std::vector<Box> boxes_;    // in the order of the leaves
+  std::vector<Index> items_;  // whose they are
   std::vector<Node> nodes_;
 };
 

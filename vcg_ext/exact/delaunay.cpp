@@ -34,20 +34,31 @@ TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points) {
                      "Two vertices of the mesh lie at the same place. Merge "
                      "duplicate vertices first.");
   }
-  TetrahedronArrays result;
-  for (const auto cell : delaunay.finite_cell_handles()) {
-    cell->info() = to_index(result.corners.size());
-    result.corners.push_back({cell->vertex(0)->info(), cell->vertex(1)->info(),
-                              cell->vertex(2)->info(), cell->vertex(3)->info()});
+  // Numbered by their least corner: what is near among the points is near among the tetrahedra.
+  std::vector<Delaunay::Cell_handle> cells(delaunay.finite_cell_handles().begin(),
+                                           delaunay.finite_cell_handles().end());
+  std::vector<Index> least_corner;
+  least_corner.reserve(cells.size());
+  for (const auto cell : cells) {
+    least_corner.push_back(std::min({cell->vertex(0)->info(), cell->vertex(1)->info(),
+                                     cell->vertex(2)->info(), cell->vertex(3)->info()}));
   }
-  result.neighbours.reserve(result.corners.size());
-  for (const auto cell : delaunay.finite_cell_handles()) {
+  const std::vector<Index> order = group_by_key(least_corner, points.size()).items;
+  for (Index t = 0; t < order.size(); ++t) cells[order[t]]->info() = t;
+  TetrahedronArrays result;
+  result.corners.reserve(cells.size());
+  result.neighbours.reserve(cells.size());
+  for (const Index c : order) {
+    const auto cell = cells[c];
+    Tetrahedron corners{};
     std::array<Index, 4> neighbours{};
     for (int i = 0; i < 4; ++i) {
       const auto neighbour = cell->neighbor(i);
+      corners[static_cast<std::size_t>(i)] = cell->vertex(i)->info();
       neighbours[static_cast<std::size_t>(i)] =
           delaunay.is_infinite(neighbour) ? kNone : neighbour->info();
     }
+    result.corners.push_back(corners);
     result.neighbours.push_back(neighbours);
   }
   return result;

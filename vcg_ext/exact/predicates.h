@@ -14,9 +14,11 @@ namespace exact_detail {
 // (Shewchuk 1997, "Adaptive precision floating-point arithmetic", section 4.3), with a little to
 // spare; u = 2^-53.
 inline constexpr double kRoundoff = 1.1102230246251565e-16;
+inline constexpr double kAreaBound = 4.0 * kRoundoff;
 inline constexpr double kOrientBound = 8.0 * kRoundoff;
 inline constexpr double kSphereBound = 18.0 * kRoundoff;
 // Below these the permanents are in reach of underflow, which the bounds ignore.
+inline constexpr double kAreaFloor = 1e-290;
 inline constexpr double kOrientFloor = 1e-280;
 inline constexpr double kSphereFloor = 1e-270;
 
@@ -33,10 +35,8 @@ int in_sphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, 
 /// projections lie on a line. Exact for finite coordinates.
 int orient2d_from_above(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The sign of det(b - a, c - a, d - a): +1 if d sees a, b, c clockwise, that is if abcd is a
-/// positively oriented tetrahedron, -1 if negatively, 0 if the four points are coplanar. Exact for
-/// finite coordinates. A few nanoseconds unless the points are nearly coplanar.
-inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+/// `orient3d` where floating-point arithmetic is certain of the sign, else 0. A few nanoseconds.
+inline int orient3d_filtered(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double bx = b.x() - a.x(), by = b.y() - a.y(), bz = b.z() - a.z();
   const double cx = c.x() - a.x(), cy = c.y() - a.y(), cz = c.z() - a.z();
   const double dx = d.x() - a.x(), dy = d.y() - a.y(), dz = d.z() - a.z();
@@ -47,11 +47,30 @@ inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) 
   const double permanent = std::abs(dx) * (std::abs(bycz) + std::abs(bzcy)) +
                            std::abs(dy) * (std::abs(bzcx) + std::abs(bxcz)) +
                            std::abs(dz) * (std::abs(bxcy) + std::abs(bycx));
-  if (permanent > exact_detail::kOrientFloor &&
-      std::abs(determinant) > exact_detail::kOrientBound * permanent) {
-    return determinant > 0.0 ? 1 : -1;
-  }
-  return exact_detail::orient3d_exact(a, b, c, d);
+  const bool certain = permanent > exact_detail::kOrientFloor &&
+                       std::abs(determinant) > exact_detail::kOrientBound * permanent;
+  return certain ? exact_detail::sign(determinant) : 0;
+}
+
+/// The sign of det(b - a, c - a, d - a): +1 if d sees a, b, c clockwise, that is if abcd is a
+/// positively oriented tetrahedron, -1 if negatively, 0 if the four points are coplanar. Exact for
+/// finite coordinates. A few nanoseconds unless the points are nearly coplanar.
+inline int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const int sign = orient3d_filtered(a, b, c, d);
+  return sign != 0 ? sign : exact_detail::orient3d_exact(a, b, c, d);
+}
+
+/// The sign of component `axis` of (b - a) x (c - a), that is of the area of abc seen along that
+/// axis, where floating-point arithmetic is certain of it, else 0.
+inline int area_sign_filtered(const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
+  const int i = (axis + 1) % 3;
+  const int j = (axis + 2) % 3;
+  const double left = (b[i] - a[i]) * (c[j] - a[j]);
+  const double right = (b[j] - a[j]) * (c[i] - a[i]);
+  const double permanent = std::abs(left) + std::abs(right);
+  const bool certain = permanent > exact_detail::kAreaFloor &&
+                       std::abs(left - right) > exact_detail::kAreaBound * permanent;
+  return certain ? exact_detail::sign(left - right) : 0;
 }
 
 /// +1 if e lies inside the sphere through a, b, c, d, -1 if outside, 0 if on it. Requires abcd to

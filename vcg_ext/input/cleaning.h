@@ -87,45 +87,56 @@ inline Triangle least_corner_first(Triangle t) {
   return t;
 }
 
+/// The faces that are the same as one of a smaller number; `faces_at` groups them by least corner.
+inline std::vector<Index> repeated_faces(const std::vector<Triangle>& faces,
+                                         const Rows<Index>& faces_at) {
+  std::vector<Index> repeated;
+  std::vector<std::array<Index, 3>> fan;  // the other two corners, face
+  for (std::size_t v = 0; v < faces_at.size(); ++v) {
+    fan.clear();
+    for (const Index f : faces_at[v]) {
+      const Triangle t = least_corner_first(faces[f]);
+      fan.push_back({t[1], t[2], f});
+    }
+    std::sort(fan.begin(), fan.end());
+    for (std::size_t i = 1; i < fan.size(); ++i) {
+      if (fan[i][0] == fan[i - 1][0] && fan[i][1] == fan[i - 1][1]) repeated.push_back(fan[i][2]);
+    }
+  }
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
+
 /// Takes over each face once, unless two of its corners have become one. Gives the input faces
 /// left out for that.
 inline std::vector<Index> take_over_faces(const TriangleSurface& input, CleanedSurface& result) {
   std::vector<Index> collapsed;
-  std::vector<Index> repeated;
-  std::vector<std::array<Index, 4>> kept;  // corners from the least on, input face
-  result.face_of_input.assign(input.triangles.size(), kNone);
+  std::vector<Triangle> renumbered;
+  std::vector<Index> least_corner;  // kNone: collapsed
+  renumbered.reserve(input.triangles.size());
+  least_corner.reserve(input.triangles.size());
   for (Index f = 0; f < input.triangles.size(); ++f) {
     Triangle t = input.triangles[f];
     for (Index& v : t) v = result.vertex_of_input[v];
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
-      collapsed.push_back(f);
+    const bool collapses = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    if (collapses) collapsed.push_back(f);
+    renumbered.push_back(t);
+    least_corner.push_back(collapses ? kNone : least_corner_first(t)[0]);
+  }
+  const std::vector<Index> repeated =
+      repeated_faces(renumbered, group_by_key(least_corner, result.surface.points.size()));
+  result.face_of_input.assign(input.triangles.size(), kNone);
+  for (Index f = 0; f < renumbered.size(); ++f) {
+    if (least_corner[f] == kNone || std::binary_search(repeated.begin(), repeated.end(), f)) {
       continue;
     }
-    t = least_corner_first(t);
-    kept.push_back({t[0], t[1], t[2], f});
-  }
-  std::sort(kept.begin(), kept.end());
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    const bool repeats =
-        i > 0 && std::equal(kept[i].begin(), kept[i].begin() + 3, kept[i - 1].begin());
-    if (repeats) {
-      repeated.push_back(kept[i][3]);
-    } else {
-      result.input_of_face.push_back(kept[i][3]);
-    }
-  }
-  std::sort(result.input_of_face.begin(), result.input_of_face.end());
-  for (const Index f : result.input_of_face) {
     result.face_of_input[f] = to_index(result.surface.triangles.size());
-    Triangle t = input.triangles[f];
-    for (Index& v : t) v = result.vertex_of_input[v];
-    result.surface.triangles.push_back(t);
+    result.input_of_face.push_back(f);
+    result.surface.triangles.push_back(renumbered[f]);
   }
   if (!repeated.empty()) {
-    std::sort(repeated.begin(), repeated.end());
-    const std::size_t count = repeated.size();
     result.findings.push_back(
-        make_finding("duplicate_faces", Severity::kHarmless, count, std::move(repeated)));
+        make_finding("duplicate_faces", Severity::kHarmless, repeated.size(), repeated));
   }
   return collapsed;
 }

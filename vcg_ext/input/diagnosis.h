@@ -14,10 +14,10 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/self_intersections.h"
 #include "vcg_ext/input/cleaning.h"
+#include "vcg_ext/input/coarse_shells.h"
 #include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/input/finding.h"
 #include "vcg_ext/input/manifold_checks.h"
-#include "vcg_ext/input/sampling.h"
 #include "vcg_ext/input/shells.h"
 
 namespace mgf {

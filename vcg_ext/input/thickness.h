@@ -61,19 +61,13 @@ inline double longest_side(const TriangleSurface& surface, Index face) {
   return std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
 }
 
-/// The faces whose longest side is more than the shape's thickness beneath their centre: balls
-/// through their corners then reach through the shape, and no medial axis can be made from them.
-/// One entry per face. Cost: a short ray each.
-inline std::vector<char> faces_coarser_than_thickness(const TriangleSurface& surface,
-                                                      const SurfaceTree& tree) {
-  const Thickness thickness(surface, tree);
+/// True if the face's longest side is more than the shape's thickness beneath its centre: balls
+/// through its corners then reach through the shape, and no medial axis can be made from them.
+/// Cost: a short ray.
+inline bool is_coarser_than_thickness(const TriangleSurface& surface, const SurfaceTree& tree,
+                                      Index face) {
   const Vec3 centre = Vec3::Constant(1.0 / 3.0);
-  std::vector<char> coarse;
-  coarse.reserve(surface.triangles.size());
-  for (Index f = 0; f < surface.triangles.size(); ++f) {
-    coarse.push_back(thickness.is_within(f, centre, longest_side(surface, f)) ? 1 : 0);
-  }
-  return coarse;
+  return Thickness(surface, tree).is_within(face, centre, longest_side(surface, face));
 }
 
 /// The thickness of one face at the centres of the 16 like triangles that it can be cut into. Fixed

@@ -12,6 +12,7 @@
 
 #include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
@@ -24,42 +25,22 @@ inline BettiNumbers expected_betti_numbers(const TriangleSurface& surface) {
   // Corners glued along edges: classes of corners at one vertex are the vertices of the abstract
   // surface.
   const std::size_t faces = surface.triangles.size();
-  struct Side {
-    Index low, high, face;
-    unsigned corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * faces);
-  for (Index f = 0; f < faces; ++f) {
-    for (unsigned i = 0; i < 3; ++i) {
-      const Index a = surface.triangles[f][i];
-      const Index b = surface.triangles[f][(i + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), f, i});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-    return s.low != t.low ? s.low < t.low : (s.high != t.high ? s.high < t.high : s.face < t.face);
-  });
+  const EdgeTable edges = make_edge_table(surface.triangles);
   DisjointSets shells(faces);
   DisjointSets corners(3 * faces);
-  const auto corner_at = [&](Index f, Index v) {
-    Index i = 0;
-    while (surface.triangles[f][i] != v) ++i;
-    return 3 * f + i;
+  const auto corner_at = [&](const FaceSide& side, Index v) {
+    const bool at_start = side_start(surface.triangles[side.face], side.side) == v;
+    return 3 * side.face + (at_start ? side.side : (side.side + 1) % 3);
   };
-  Index edges = 0;
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    if (s == 0 || sides[s].low != sides[s - 1].low || sides[s].high != sides[s - 1].high) {
-      ++edges;
-      continue;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const FaceSide& first = edges.sides[e].front();
+    for (const FaceSide& side : edges.sides[e]) {
+      shells.join(first.face, side.face);
+      for (const Index v : edges.ends[e]) corners.join(corner_at(first, v), corner_at(side, v));
     }
-    const Side& side = sides[s];
-    shells.join(side.face, sides[s - 1].face);
-    corners.join(corner_at(side.face, side.low), corner_at(sides[s - 1].face, side.low));
-    corners.join(corner_at(side.face, side.high), corner_at(sides[s - 1].face, side.high));
   }
   const auto euler =
-      static_cast<std::int64_t>(corners.count() + faces) - static_cast<std::int64_t>(edges);
+      static_cast<std::int64_t>(corners.count() + faces) - static_cast<std::int64_t>(edges.size());
   const auto shell_count = static_cast<std::int64_t>(shells.count());
   return {static_cast<Index>(shell_count),
           static_cast<Index>(std::max<std::int64_t>(0, shell_count - euler / 2)), 0};
@@ -90,17 +71,26 @@ inline unsigned back_face(const std::vector<Tetrahedron>& tetrahedra,
   return j;
 }
 
-// Walks round edge (x, y) of t; fills `ring` with the inner faces crossed. False at the boundary.
-template <class FaceIds>
-bool inner_ring(const std::vector<Tetrahedron>& tetrahedra,
-                const std::vector<std::array<Index, 4>>& neighbours, const FaceIds& face_ids,
-                Index t, Index x, Index y, std::vector<Index>& ring, bool& smallest) {
+// The bit that stands for the edge between two corners of a tetrahedron.
+inline unsigned edge_bit(unsigned i, unsigned j) {
+  constexpr std::array<std::array<std::uint8_t, 4>, 4> kBit = {
+      {{0, 1, 2, 4}, {1, 0, 8, 16}, {2, 8, 0, 32}, {4, 16, 32, 0}}};
+  return kBit[i][j];
+}
+
+// Walks round the edge xy of t, marking it in each tetrahedron passed; fills `ring` with the inner
+// faces crossed. False at the boundary.
+inline bool inner_ring(const std::vector<Tetrahedron>& tetrahedra,
+                       const std::vector<std::array<Index, 4>>& neighbours,
+                       const std::vector<std::array<Index, 4>>& face_ids, Index t, Index x, Index y,
+                       std::vector<std::uint8_t>& passed, std::vector<Index>& ring) {
   ring.clear();
-  smallest = true;
   const Index first = t;
   do {
-    smallest = smallest && t >= first;
-    const unsigned k = kEvenThird[corner_index(tetrahedra[t], x)][corner_index(tetrahedra[t], y)];
+    const unsigned i = corner_index(tetrahedra[t], x);
+    const unsigned j = corner_index(tetrahedra[t], y);
+    passed[t] = static_cast<std::uint8_t>(passed[t] | edge_bit(i, j));
+    const unsigned k = kEvenThird[i][j];
     if (neighbours[t][k] == kNone) return false;
     ring.push_back(face_ids[t][k]);
     t = neighbours[t][k];
@@ -159,14 +149,14 @@ inline DualCells dual_cells(const std::vector<Tetrahedron>& tetrahedra,
       cells.edges.push_back({t, u});
     }
   }
+  std::vector<std::uint8_t> passed(tetrahedra.size(), 0);
   std::vector<Index> ring;
-  bool smallest = false;
   for (Index t = 0; t < tetrahedra.size(); ++t) {
     for (unsigned i = 0; i < 4; ++i) {
       for (unsigned j = 0; j < i; ++j) {
-        if (!betti_detail::inner_ring(tetrahedra, neighbours, face_ids, t, tetrahedra[t][i],
-                                      tetrahedra[t][j], ring, smallest) ||
-            !smallest) {
+        if ((passed[t] & betti_detail::edge_bit(i, j)) != 0 ||
+            !betti_detail::inner_ring(tetrahedra, neighbours, face_ids, t, tetrahedra[t][i],
+                                      tetrahedra[t][j], passed, ring)) {
           continue;
         }
         cells.facets.items.insert(cells.facets.items.end(), ring.begin(), ring.end());

@@ -11,6 +11,7 @@
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/obstacle_clearing.h"
 #include "vcg_ext/medial/surface_splits.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
@@ -37,7 +38,7 @@ class BoundaryRecovery {
 
   /// True if every face of the surface is now a face of the mesh. The mesh is valid either way.
   bool run(const Progress& progress) {
-    for (Index f = 0; f < surface_.faces().size(); ++f) watch_face(f);
+    for (const Index f : missing_faces(mesh_, surface_.faces())) watch_face(f);
     while (!edges_.empty() || !faces_.empty()) {
       if (!recover_edges(progress) || !recover_faces(progress)) return false;
     }

@@ -42,19 +42,21 @@ inline bool is_consistent(const WindingNumbers& winding) {
 inline std::vector<char> inside_marks(const Evidence& evidence) {
   const TetrahedralMesh& mesh = evidence.recovered.mesh;
   std::vector<char> inside(mesh.slot_count(), 0);
-  const bool flood = is_consistent(evidence.winding);
+  if (is_consistent(evidence.winding)) {
+    for (Index t = 0; t < inside.size(); ++t) {
+      inside[t] = mesh.alive(t) && evidence.winding.winding[t] > 0 ? 1 : 0;
+    }
+    return inside;
+  }
   const RayWinding ray(evidence.ordered.surface.points, evidence.ordered.surface.triangles);
   const std::size_t own = evidence.ordered.original.size();
   const auto is_box = [&](Index v) { return v >= own && v < own + kBoxCorners; };
   for (Index t = 0; t < inside.size(); ++t) {
     if (!mesh.alive(t)) continue;
     const auto [a, b, c, d] = mesh.corners(t);
-    if (flood) {
-      inside[t] = evidence.winding.winding[t] > 0 ? 1 : 0;
-    } else if (!is_box(a) && !is_box(b) && !is_box(c) && !is_box(d)) {
-      const Vec3 centroid = 0.25 * (mesh.point(a) + mesh.point(b) + mesh.point(c) + mesh.point(d));
-      inside[t] = ray(centroid) > 0 ? 1 : 0;
-    }
+    if (is_box(a) || is_box(b) || is_box(c) || is_box(d)) continue;
+    const Vec3 centroid = 0.25 * (mesh.point(a) + mesh.point(b) + mesh.point(c) + mesh.point(d));
+    inside[t] = ray(centroid) > 0 ? 1 : 0;
   }
   return inside;
 }

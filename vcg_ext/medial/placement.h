@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/medial_complex.h"
@@ -75,7 +76,8 @@ inline bool is_flat(const InteriorTetrahedra& interior, Index t) {
   const Vec3 b = interior.points[corners[2]] - p;
   const Vec3 c = interior.points[corners[3]] - p;
   const double longest =
-      std::max({a.norm(), b.norm(), c.norm(), (b - a).norm(), (c - b).norm(), (a - c).norm()});
+      std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm(), (b - a).squaredNorm(),
+                          (c - b).squaredNorm(), (a - c).squaredNorm()}));
   return !(std::abs(a.dot(b.cross(c))) > kLeastVolume * longest * longest * longest);
 }
 
@@ -126,13 +128,17 @@ inline double contact_distance(const InteriorTetrahedra& interior, const MedialC
 
 /// Moves each Voronoi vertex that its tetrahedron's centroid can't see inside the shape back along
 /// the line of sight, to nine tenths of what can be seen, and marks it as displaced. Afterwards
-/// every vertex is finite and inside T'. Cost: one short walk a vertex.
-inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialComplex& complex) {
+/// every vertex is finite and inside T'. Cost: one short walk a vertex. The same for any number of
+/// `threads` (0: all).
+inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialComplex& complex,
+                                   unsigned threads = 0) {
   constexpr double kKeptShare = 0.9;
   constexpr std::size_t kStepLimit = 1000;
+  constexpr std::size_t kChunk = 1024;
   detail::place_flat_tetrahedra(interior, complex);
   const double far_away = 2.0 * bounding_box_diagonal(interior.points);
-  for (Index t = 0; t < complex.vertex_count(); ++t) {
+  parallel_for(complex.vertex_count(), thread_count(threads), kChunk, [&](std::size_t i, unsigned) {
+    const Index t = to_index(i);
     const Vec3 centroid = tetrahedron_centroid(interior, t);
     Vec3& position = complex.position[t];
     const double distance = (position - centroid).norm();
@@ -146,7 +152,7 @@ inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialCom
       complex.displaced[t] = 1;
     }
     complex.radius[t] = detail::contact_distance(interior, complex, t);
-  }
+  });
 }
 
 }  // namespace mgf

@@ -9,6 +9,7 @@
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
 namespace mgf {
@@ -39,9 +40,7 @@ class SurfaceFlipper {
 
   // Flips that raise the number of faces, or of edges, that `delaunay` has.
   Index flip_towards(const TetrahedralMesh& delaunay) {
-    for (Index f = 0; f < surface_.faces().size(); ++f) {
-      if (!present(delaunay, surface_.face(f))) enqueue(f);
-    }
+    for (const Index f : missing_faces(delaunay, surface_.faces())) enqueue(f);
     return run([&](const EdgePair& e) { return gains(delaunay, e) && is_gentle(e); });
   }
 
@@ -50,10 +49,6 @@ class SurfaceFlipper {
     return (points_[b] - points_[a]).cross(points_[c] - points_[a]);
   }
   Vec3 normal(const Triangle& t) const { return normal(t[0], t[1], t[2]); }
-
-  static bool present(const TetrahedralMesh& mesh, const Triangle& t) {
-    return mesh.find_face(t[0], t[1], t[2]) != kNone;
-  }
 
   void enqueue(Index f) {
     if (queued_[f] != 0) return;
@@ -140,8 +135,9 @@ class SurfaceFlipper {
     const auto has = [&](Index a, Index b, Index c) {
       return mesh.find_face(a, b, c) != kNone ? 1 : 0;
     };
+    if (mesh.find_edge(e.c, e.d) == kNone) return false;
     const int before = has(e.a, e.b, e.c) + has(e.a, e.b, e.d);
-    if (before == 2 || mesh.find_edge(e.c, e.d) == kNone) return false;
+    if (before == 2) return false;
     const int after = has(e.c, e.d, e.a) + has(e.c, e.d, e.b);
     if (after < before || surface_.has_edge(e.c, e.d)) return false;
     return after > before || (before == 0 && mesh.find_edge(e.a, e.b) == kNone);

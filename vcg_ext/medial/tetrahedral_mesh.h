@@ -34,6 +34,16 @@ inline Triangle face_of(const Tetrahedron& corners, unsigned i) {
   return {corners[kFaceCorners[i][0]], corners[kFaceCorners[i][1]], corners[kFaceCorners[i][2]]};
 }
 
+/// Whether face i of s is face j of t, seen from the other side.
+inline bool is_glued(const Tetrahedron& s, unsigned i, const Tetrahedron& t, unsigned j) {
+  const Triangle f = face_of(s, i);
+  const Triangle g = face_of(t, j);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (g[k] == f[0]) return g[(k + 1) % 3] == f[2] && g[(k + 2) % 3] == f[1];
+  }
+  return false;
+}
+
 /// The tetrahedra round an edge xy: tetrahedron i has the corners x, y, link[i], link[i + 1], in
 /// positive order, and link is cyclic.
 struct EdgeRing {

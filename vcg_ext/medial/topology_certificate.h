@@ -12,7 +12,6 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/predicates.h"
 #include "vcg_ext/medial/betti.h"
-#include "vcg_ext/medial/constrained_surface.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
@@ -50,12 +49,10 @@ inline Index asymmetries(const InteriorTetrahedra& interior) {
     for (unsigned i = 0; i < 4; ++i) {
       const Index u = interior.neighbours[t][i];
       if (u == kNone) continue;
-      const Triangle face = face_of(interior.tetrahedra[t], i);
       bool answered = false;
       for (unsigned j = 0; j < 4 && u < interior.tetrahedra.size(); ++j) {
-        const Triangle back = face_of(interior.tetrahedra[u], j);
         answered = answered || (interior.neighbours[u][j] == t &&
-                                canonical(back) == canonical({face[0], face[2], face[1]}));
+                                is_glued(interior.tetrahedra[t], i, interior.tetrahedra[u], j));
       }
       count += answered ? 0 : 1;
     }
@@ -63,36 +60,38 @@ inline Index asymmetries(const InteriorTetrahedra& interior) {
   return count;
 }
 
+// Whether the arrows from first to second entry make one closed cycle through distinct places.
+inline bool is_one_cycle(const std::vector<std::array<Index, 2>>& arrows) {
+  std::size_t length = 0;
+  Index at = arrows.front()[0];
+  do {
+    Index next = kNone;
+    for (const auto& [from, to] : arrows) {
+      if (from != at) continue;
+      if (next != kNone) return false;
+      next = to;
+    }
+    at = next;
+    ++length;
+  } while (at != kNone && at != arrows.front()[0] && length < arrows.size());
+  return at == arrows.front()[0] && length == arrows.size();
+}
+
 // Whether each edge of `faces` has two faces that run along it in opposite directions, and the
 // faces at each vertex form one fan.
 inline bool is_manifold(const std::vector<Triangle>& faces, std::size_t point_count) {
-  const ConstrainedSurface surface(point_count, faces);
+  std::vector<Index> corners;
+  corners.reserve(3 * faces.size());
+  for (const Triangle& face : faces) corners.insert(corners.end(), face.begin(), face.end());
+  const Rows<Index> corners_at = group_by_key(corners, point_count);
+  std::vector<std::array<Index, 2>> fan;  // of each face at the vertex, its next corner and last
   for (Index v = 0; v < point_count; ++v) {
-    const std::vector<Index>& fan = surface.faces_at(v);
-    if (fan.empty()) continue;
-    const auto next_after = [&](Index f) {
-      const Triangle& face = surface.face(f);
-      const auto i =
-          static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin());
-      const Index leaving = face[(i + 2) % 3];
-      Index next = kNone;
-      for (const Index g : fan) {
-        const Triangle& other = surface.face(g);
-        const auto j =
-            static_cast<std::size_t>(std::find(other.begin(), other.end(), v) - other.begin());
-        if (other[(j + 1) % 3] != leaving) continue;
-        if (next != kNone) return kNone;
-        next = g;
-      }
-      return next;
-    };
-    std::size_t length = 0;
-    Index f = fan.front();
-    do {
-      f = next_after(f);
-      ++length;
-    } while (f != kNone && f != fan.front() && length <= fan.size());
-    if (f != fan.front() || length != fan.size()) return false;
+    fan.clear();
+    for (const Index c : corners_at[v]) {
+      const Triangle& face = faces[c / 3];
+      fan.push_back({face[(c + 1) % 3], face[(c + 2) % 3]});
+    }
+    if (!fan.empty() && !is_one_cycle(fan)) return false;
   }
   return true;
 }
@@ -154,12 +153,9 @@ inline bool is_triangulated_box(const TetrahedralMesh& mesh, std::size_t hull) {
         ++open;
         continue;
       }
-      const Triangle face = face_of(c, i);
-      const Triangle reverse = canonical({face[0], face[2], face[1]});
       bool answered = false;
       for (unsigned j = 0; j < 4 && mesh.alive(u); ++j) {
-        answered = answered ||
-                   (mesh.neighbour(u, j) == t && canonical(face_of(mesh.corners(u), j)) == reverse);
+        answered = answered || (mesh.neighbour(u, j) == t && is_glued(c, i, mesh.corners(u), j));
       }
       if (!answered) return false;
     }

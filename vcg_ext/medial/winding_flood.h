@@ -2,6 +2,7 @@
 // Which tetrahedra lie inside: winding numbers by crossing the surface's faces one at a time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -9,6 +10,7 @@
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
 namespace mgf {
@@ -29,21 +31,16 @@ inline bool same_orientation(const Triangle& f, const Triangle& g) {
   return f == g || f == Triangle{g[1], g[2], g[0]} || f == Triangle{g[2], g[0], g[1]};
 }
 
-inline void add_wall(const TetrahedralMesh& mesh, const Triangle& face, WindingNumbers& result) {
-  const Index t = mesh.find_face(face[0], face[1], face[2]);
-  if (t == kNone) {
-    ++result.faces_missing;
-    return;
-  }
-  unsigned i = 0;
-  while (ConstrainedSurface::has_corner(face, mesh.corners(t)[i])) ++i;
-  const int sign = same_orientation(face, face_of(mesh.corners(t), i)) ? 1 : -1;
-  result.walls[t][i] = static_cast<std::int8_t>(result.walls[t][i] + sign);
-  const Index u = mesh.neighbour(t, i);
-  if (u == kNone) return;
-  unsigned j = 0;
-  while (ConstrainedSurface::has_corner(face, mesh.corners(u)[j])) ++j;
-  result.walls[u][j] = static_cast<std::int8_t>(result.walls[u][j] - sign);
+inline void find_walls(const TetrahedralMesh& mesh, const std::vector<Triangle>& faces,
+                       WindingNumbers& result) {
+  std::vector<char> found(faces.size(), 0);
+  visit_common_faces(mesh, faces, [&](Index f, Index t, unsigned i) {
+    found[f] = 1;
+    const int sign = same_orientation(faces[f], face_of(mesh.corners(t), i)) ? 1 : -1;
+    result.walls[t][i] = static_cast<std::int8_t>(result.walls[t][i] + sign);
+  });
+  result.faces_missing =
+      to_index(static_cast<std::size_t>(std::count(found.begin(), found.end(), 0)));
 }
 
 }  // namespace winding_detail
@@ -55,7 +52,7 @@ inline WindingNumbers flood_winding_numbers(const TetrahedralMesh& mesh,
   WindingNumbers result;
   result.winding.assign(mesh.slot_count(), kUnknown);
   result.walls.assign(mesh.slot_count(), {});
-  for (const Triangle& face : surface.faces()) winding_detail::add_wall(mesh, face, result);
+  winding_detail::find_walls(mesh, surface.faces(), result);
   std::vector<Index> queue;
   for (Index t = 0; t < mesh.slot_count(); ++t) {
     if (!mesh.alive(t)) continue;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Splits the long edges of a surface, worst first, keeping the parts of each face well shaped.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/progress.h"
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/input/refined_surface.h"
+#include "vcg_ext/input/surface_refiner.h"
+
+namespace mgf {
+
+/// Splits edges longer than `allowed(refiner, side)`, worst first, until none is left or
+/// `most_points` are there. Ties go to the edge of least ends.
+template <class Allowed>
+class WorstFirstSplitter {
+ public:
+  WorstFirstSplitter(SurfaceRefiner& refiner, const Allowed& allowed, std::size_t most_points)
+      : refiner_(refiner), allowed_(allowed), most_points_(most_points) {}
+
+  void run(const Progress& progress) {
+    const std::size_t first = refiner_.surface().surface.points.size();
+    for (Index side = 0; side < refiner_.side_count(); ++side) {
+      if (side < refiner_.twin(side)) consider(side);
+    }
+    while (!queue_.empty()) {
+      const std::size_t count = refiner_.surface().surface.points.size();
+      if (count >= most_points_) return;
+      if (count % kReportEvery == 0) {
+        progress.report(
+            static_cast<double>(count - first) / static_cast<double>(most_points_ - first),
+            "sampling");
+      }
+      const Candidate worst = queue_.top();
+      queue_.pop();
+      const Candidate now = candidate(worst.side);
+      if (now.low != worst.low || now.high != worst.high) continue;  // the side is another edge's
+      if (now.excess == worst.excess) {
+        split(worst.side);
+      } else if (now.excess > 1.0) {
+        queue_.push(now);
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kReportEvery = 1000;
+
+  struct Candidate {
+    double excess;  // length divided by the length allowed
+    Index low;
+    Index high;
+    Index side;
+    bool operator<(const Candidate& other) const {  // so that the top is worst
+      if (excess != other.excess) return excess < other.excess;
+      return std::pair(low, high) > std::pair(other.low, other.high);
+    }
+  };
+
+  Candidate candidate(Index side) const {
+    const Index a = refiner_.start(side);
+    const Index b = refiner_.end(side);
+    return {refiner_.length(side) / allowed_(refiner_, side), std::min(a, b), std::max(a, b), side};
+  }
+
+  void consider(Index side) {
+    const Candidate fresh = candidate(side);
+    if (fresh.excess > 1.0) queue_.push(fresh);
+  }
+
+  void split(Index side) {
+    const Vec3 middle =
+        0.5 * refiner_.point(refiner_.start(side)) + 0.5 * refiner_.point(refiner_.end(side));
+    const Index m = refiner_.split_edge(side, middle);
+    // The four new faces have m once each; walk round it for the sides opposite.
+    changed_.clear();
+    Index spoke = 3 * (side / 3) + 1;  // from m to the apex
+    const Index first = spoke;
+    do {
+      changed_.push_back(spoke / 3);
+      suspects_.push_back(opposite_side(spoke / 3, m));
+      spoke = refiner_.twin(SurfaceRefiner::next(SurfaceRefiner::next(spoke)));
+    } while (spoke != first);
+    flip_suspects();
+    for (const Index face : changed_) {
+      for (Index i = 0; i < 3; ++i) consider(3 * face + i);
+    }
+  }
+
+  Index opposite_side(Index face, Index corner) const {
+    for (Index i = 0; i < 3; ++i) {
+      if (refiner_.opposite(3 * face + i) == corner) return 3 * face + i;
+    }
+    return kNone;
+  }
+
+  /// Lawson's flips, starting from the suspects.
+  void flip_suspects() {
+    while (!suspects_.empty()) {
+      const Index side = suspects_.back();
+      suspects_.pop_back();
+      const Index other = refiner_.twin(side);
+      if (!refiner_.flip_if_better(side)) continue;
+      for (const Index face : {side / 3, other / 3}) {
+        changed_.push_back(face);
+        suspects_.push_back(3 * face + 1);
+        suspects_.push_back(3 * face + 2);
+      }
+    }
+  }
+
+  SurfaceRefiner& refiner_;
+  const Allowed& allowed_;
+  std::size_t most_points_;
+  std::priority_queue<Candidate> queue_;
+  std::vector<Index> changed_;   // faces of the present split
+  std::vector<Index> suspects_;  // sides that may have to be flipped
+};
+
+/// The surface after such splits.
+template <class Allowed>
+RefinedSurface split_long_edges(const TriangleSurface& surface, const Allowed& allowed,
+                                std::size_t most_points, const Progress& progress) {
+  SurfaceRefiner refiner(unrefined(surface));
+  WorstFirstSplitter<Allowed>(refiner, allowed, most_points).run(progress);
+  return std::move(refiner).release();
+}
+
+}  // namespace mgf

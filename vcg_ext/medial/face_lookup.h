@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Triangles by their corners, and which of them a tetrahedral mesh has.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/tetrahedral_mesh.h"
+
+namespace mgf {
+
+/// Finds triangles by their corners. Immutable, in one piece of memory.
+class FaceLookup {
+ public:
+  /// Requires corners below `point_count`. Linear time.
+  FaceLookup(const std::vector<Triangle>& faces, std::size_t point_count) {
+    std::vector<Index> least;
+    least.reserve(faces.size());
+    for (const Triangle& face : faces) least.push_back(ascending(face)[0]);
+    const Rows<Index> faces_at = group_by_key(least, point_count);
+    entries_.begin = faces_at.begin;
+    entries_.items.reserve(faces.size());
+    for (const Index f : faces_at.items) {
+      const Triangle corners = ascending(faces[f]);
+      entries_.items.push_back({corners[1], corners[2], f});
+    }
+  }
+
+  /// Calls `visit(f)` for the faces with these corners in any order, by ascending number.
+  template <class Visit>
+  void visit(const Triangle& face, const Visit& visit) const {
+    const Triangle corners = ascending(face);
+    for (const auto& [middle, greatest, f] : entries_[corners[0]]) {
+      if (middle == corners[1] && greatest == corners[2]) visit(f);
+    }
+  }
+
+ private:
+  static Triangle ascending(Triangle t) {
+    if (t[0] > t[1]) std::swap(t[0], t[1]);
+    if (t[1] > t[2]) std::swap(t[1], t[2]);
+    if (t[0] > t[1]) std::swap(t[0], t[1]);
+    return t;
+  }
+
+  Rows<std::array<Index, 3>> entries_;  // by least corner: the other two, ascending, and the face
+};
+
+/// Calls `visit(f, t, i)` for each of `faces` that a tetrahedron of the mesh has: face i of t. A
+/// face within the mesh comes up twice. Linear time.
+template <class Visit>
+void visit_common_faces(const TetrahedralMesh& mesh, const std::vector<Triangle>& faces,
+                        const Visit& visit) {
+  const FaceLookup lookup(faces, mesh.points().size());
+  for (Index t = 0; t < mesh.slot_count(); ++t) {
+    if (!mesh.alive(t)) continue;
+    for (unsigned i = 0; i < 4; ++i) {
+      lookup.visit(face_of(mesh.corners(t), i), [&](Index f) { visit(f, t, i); });
+    }
+  }
+}
+
+/// The numbers of the faces that the mesh doesn't have, ascending.
+inline std::vector<Index> missing_faces(const TetrahedralMesh& mesh,
+                                        const std::vector<Triangle>& faces) {
+  std::vector<char> present(faces.size(), 0);
+  visit_common_faces(mesh, faces, [&](Index f, Index, unsigned) { present[f] = 1; });
+  std::vector<Index> missing;
+  for (Index f = 0; f < present.size(); ++f) {
+    if (present[f] == 0) missing.push_back(f);
+  }
+  return missing;
+}
+
+}  // namespace mgf
