@@ -49,7 +49,7 @@ SmoothSkeleton smooth_level(const Study& study, const SkeletonLevel& level) {
   const SurfaceTree tree(axis.working.surface);
   return smooth_skeleton(
       level.skeleton, level.graph,
-      detail::shape_interior(tree, has_finding(axis.diagnosis, "self_intersections")));
+      shape_interior(tree, axis.diagnosis.find("self_intersections") != nullptr));
 }
 
 SurfaceAnalysis analyse_surface(const Study& study, const SkeletonLevel& level,

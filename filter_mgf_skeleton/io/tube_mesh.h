@@ -84,10 +84,16 @@ inline std::vector<Vec3> tangents(const TubePath& path) {
 // Frames that turn no more than the path does; along a closed path the twist that is left over is
 // spread evenly, so that the last cross-section meets the first.
 inline std::vector<Frame> frames(const TubePath& path) {
+  constexpr double kTurnsBack = 1e-12;  // cosine of tangents above -1
   const std::vector<Vec3> tangent = tangents(path);
   std::vector<Frame> result;
-  const auto carried = [](const Frame& from, const Vec3& to) {
-    return Vec3(Eigen::Quaterniond::FromTwoVectors(from.tangent, to) * from.normal);
+  // The normal, turned as the tangent turns; where the path turns back, about the normal itself.
+  const auto carried = [](const Frame& from, const Vec3& to) -> Vec3 {
+    const double cosine = from.tangent.dot(to);
+    if (cosine <= -1.0 + kTurnsBack) return from.normal;
+    const Vec3 axis = from.tangent.cross(to);
+    const Vec3& n = from.normal;
+    return cosine * n + axis.cross(n) + axis * (axis.dot(n) / (1.0 + cosine));
   };
   for (std::size_t i = 0; i < path.points.size(); ++i) {
     Vec3 normal = i == 0 ? tangent[0].unitOrthogonal() : carried(result.back(), tangent[i]);

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vcg_ext/mgf_skeleton.h"
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "vcg_ext/input/point_insertion.h"
+#include "vcg_ext/medial/placement.h"
+
+namespace mgf {
+namespace {
+
+// Measures the stages of one function.
+class StageClock {
+ public:
+  // The seconds since the last call (or since construction) belong to `stage`.
+  void finish(const char* stage, StageTimes& times) {
+    const auto now = Clock::now();
+    times.push_back({stage, std::chrono::duration<double>(now - start_).count()});
+    start_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+std::string to_text(const BettiNumbers& betti) {
+  return std::to_string(betti.b0) + "/" + std::to_string(betti.b1) + "/" + std::to_string(betti.b2);
+}
+
+void warn_of_topology(const TopologyCertificate& certificate, Warnings& warnings) {
+  const std::string numbers = "The interior has Betti numbers " + to_text(certificate.betti) +
+                              ", the surface's genus asks for " + to_text(certificate.expected) +
+                              ".";
+  if (certificate.topology == TopologyVerdict::kFailed) {
+    warnings.push_back(
+        {"topology_failed", "The skeleton does not have the topology of the surface. " + numbers +
+                                " Remove self-intersections or remesh."});
+  } else if (certificate.topology == TopologyVerdict::kCounted) {
+    warnings.push_back(
+        {"topology_counted", "The topology agrees by count but is not proven. " + numbers});
+  }
+}
+
+// Treats as displaced the Voronoi vertices that lie outside T because flips have put T' there.
+// Only tetrahedra at faces of T' that are none of T can hold such a vertex's centroid.
+void discard_vertices_outside(const SurfaceTree& tree, const TriangleSurface& surface,
+                              const InteriorTetrahedra& interior, MedialComplex& complex) {
+  const PairTable edges = detail::surface_edges(surface.triangles);
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+    const Tetrahedron& corners = interior.tetrahedra[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (interior.neighbours[t][i] != kNone) continue;
+      const Index a = corners[(i + 1) % 4];
+      const Index b = corners[(i + 2) % 4];
+      const Index c = corners[(i + 3) % 4];
+      const bool of_input =
+          edges.find(a, b) != kNone && edges.find(b, c) != kNone && edges.find(c, a) != kNone;
+      if (of_input) continue;
+      if (!tree.inside(complex.position[t]) || !tree.inside(tetrahedron_centroid(interior, t))) {
+        complex.displaced[t] = 1;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+ShapeInterior shape_interior(const SurfaceTree& tree, bool self_intersecting) {
+  const auto stays_inside = [&tree, self_intersecting](const Vec3& a, const Vec3& b) {
+    if (a == b || !tree.segment_meets(a, b)) return true;
+    if (!self_intersecting) return false;
+    // The segment may pass through a sheet that lies inside the shape: look on both sides of it.
+    constexpr int kSamples = 16;
+    for (int i = 0; i <= kSamples; ++i) {
+      if (!tree.inside(a + (b - a) * (static_cast<double>(i) / kSamples))) return false;
+    }
+    return true;
+  };
+  return {[&tree](const Vec3& point) { return tree.inside(point); }, stays_inside};
+}
+
+MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOptions& options,
+                               const Progress& progress) {
+  MedialAxis axis;
+  StageClock clock;
+  progress.report(0.0, "Checking the mesh");
+  axis.diagnosis = diagnose(input, options.diagnosis);
+  axis.working = prepare(input, axis.diagnosis, options.diagnosis);
+  axis.warnings = axis.working.warnings;
+  clock.finish("check", axis.times);
+
+  const RefinedSurface sampled =
+      refine_sampling(axis.working.surface, options.sampling, progress.slice(0.15, 0.3));
+  clock.finish("sampling", axis.times);
+
+  axis.interior = recover_interior(sampled.surface, options.recovery, progress.slice(0.3, 0.9));
+  clock.finish("topology", axis.times);
+
+  progress.report(0.9, "Medial complex");
+  const std::vector<Vec3> added(
+      axis.interior.points.begin() + static_cast<std::ptrdiff_t>(axis.interior.input_points),
+      axis.interior.points.end());
+  axis.surface = added.empty() ? sampled : insert_points(sampled, added);
+  axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
+  axis.complex = build_medial_complex(axis.interior);
+  place_voronoi_vertices(axis.interior, axis.complex);
+  const SurfaceTree tree(axis.working.surface);
+  discard_vertices_outside(tree, axis.surface.surface, axis.interior, axis.complex);
+  warn_of_topology(axis.interior.certificate, axis.warnings);
+  clock.finish("medial_complex", axis.times);
+  progress.report(1.0, "Medial complex");
+  return axis;
+}
+
+MedialGeodesicFunction compute_medial_geodesic_function(const MedialAxis& axis,
+                                                        const GeodesicOptions& options,
+                                                        const Progress& progress) {
+  MedialGeodesicFunction result;
+  StageClock clock;
+  result.field =
+      evaluate_medial_geodesic_function(axis.surface.surface, axis.complex, options, progress);
+  clock.finish("medial_geodesic_function", result.times);
+  return result;
+}
+
+CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
+                                               const MedialGeodesicField& field,
+                                               const SkeletonOptions& options,
+                                               const Progress& progress) {
+  CurveSkeletonResult result;
+  StageClock clock;
+  progress.report(0.0, "Erosion");
+  const SurfaceTree tree(axis.working.surface);
+  const bool self_intersecting = axis.diagnosis.find("self_intersections") != nullptr;
+  result.hierarchy =
+      build_skeleton_hierarchy(axis.interior, axis.complex, field, axis.surface.surface.points,
+                               bounding_box_diagonal(axis.interior.points), options,
+                               shape_interior(tree, self_intersecting));
+  clock.finish("skeleton", result.times);
+
+  const SkeletonHierarchy& hierarchy = result.hierarchy;
+  if (hierarchy.residual_facets > 0) {
+    result.warnings.push_back(
+        {"closed_pocket", "The medial axis contains a closed surface that no erosion can open; " +
+                              std::to_string(hierarchy.residual_facets) +
+                              " facets are left. The curves around it are delivered; ask for "
+                              "pockets to be opened to get curves only."});
+  }
+  if (hierarchy.pockets_opened > 0) {
+    result.warnings.push_back(
+        {"pocket_opened", std::to_string(hierarchy.pockets_opened) +
+                              " facets of closed pockets were opened: the skeleton's Betti numbers "
+                              "are now " +
+                              to_text(hierarchy.betti) + ", the interior's are " +
+                              to_text(axis.interior.certificate.betti) + "."});
+  }
+  progress.report(1.0, "Erosion");
+  return result;
+}
+
+}  // namespace mgf
