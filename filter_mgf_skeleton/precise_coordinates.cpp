@@ -35,7 +35,7 @@ files::FileMesh read_file(const std::string& path) {
   if (extension != ".ply" && extension != ".off") refuse(path, "it is neither PLY nor OFF.");
   try {
     return extension == ".ply" ? files::read_ply(bytes) : files::read_off(bytes);
-  } catch (const files::FileError& error) {
+  } catch (const files::ParseError& error) {
     refuse(path, error.what());
   }
 }

@@ -15,7 +15,7 @@ using Reader = FileMesh (*)(const std::string&);
 std::string error_of(Reader read, const std::string& bytes) {
   try {
     read(bytes);
-  } catch (const FileError& error) {
+  } catch (const ParseError& error) {
     return error.what();
   }
   return "";

@@ -28,8 +28,8 @@ class BinaryReader {
   template <class Number>
   Number next() {
     if (bytes_.size() - position_ < sizeof(Number)) {
-      throw FileError("the file ends at byte " + std::to_string(bytes_.size()) +
-                      ", in the middle of its data");
+      throw ParseError("the file ends at byte " + std::to_string(bytes_.size()) +
+                       ", in the middle of its data");
     }
     char raw[sizeof(Number)];
     std::memcpy(raw, bytes_.data() + position_, sizeof(Number));

@@ -18,14 +18,14 @@ struct FileMesh {
   std::vector<Triangle> triangles;
 };
 
-/// The file can't be read; `what()` says where and why.
-class FileError : public std::runtime_error {
+/// The bytes aren't a mesh in the format that was asked for; `what()` says where and why.
+class ParseError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Each reads the bytes of one file. Throws FileError on whatever is not as the format says, and on
-/// faces that name a vertex the file doesn't have; polygons become triangles (`append_polygon`).
+/// Each reads the bytes of one file. Throws ParseError on whatever is not as the format says, and
+/// on faces that name a vertex the file doesn't have; polygons become triangles (`append_polygon`).
 FileMesh read_off(const std::string& bytes);
 FileMesh read_obj(const std::string& bytes);
 FileMesh read_ply(const std::string& bytes);
@@ -36,7 +36,7 @@ FileMesh read_stl(const std::string& bytes);
 
 /// Appends the polygon `corners` as its n - 2 triangles, by cutting ears (shortest diagonal first),
 /// so that polygons that aren't convex keep their shape. The orientation is the polygon's. Throws
-/// FileError for fewer than three corners and for a corner that is no vertex of `mesh`. Cost:
+/// ParseError for fewer than three corners and for a corner that is no vertex of `mesh`. Cost:
 /// O(n^3) at worst, for n corners.
 void append_polygon(FileMesh& mesh, const std::vector<std::int64_t>& corners);
 

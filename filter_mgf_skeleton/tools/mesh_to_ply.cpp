@@ -8,22 +8,24 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <stdexcept>
+#include <string>
 
 #include "filter_mgf_skeleton/tools/binary_reader.h"
 #include "filter_mgf_skeleton/tools/file_mesh.h"
 
 namespace {
 
-using mgf::files::FileError;
 using mgf::files::FileMesh;
 
 std::string read_bytes(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path)) throw FileError("there is no such file");
+  if (!std::filesystem::exists(path)) throw std::runtime_error("there is no such file");
   std::ifstream file(path, std::ios::binary);
-  if (!file || std::filesystem::is_directory(path)) throw FileError("the file can't be opened");
+  if (!file || std::filesystem::is_directory(path))
+    throw std::runtime_error("the file can't be opened");
   std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (file.bad()) throw FileError("the file can't be read");
-  if (bytes.empty()) throw FileError("the file is empty");
+  if (file.bad()) throw std::runtime_error("the file can't be read");
+  if (bytes.empty()) throw std::runtime_error("the file is empty");
   return bytes;
 }
 
@@ -36,7 +38,7 @@ FileMesh read_mesh(const std::filesystem::path& path) {
   if (extension == ".off") read = mgf::files::read_off;
   if (extension == ".stl") read = mgf::files::read_stl;
   if (extension == ".obj") read = mgf::files::read_obj;
-  if (read == nullptr) throw FileError("the name doesn't end in .ply, .off, .stl or .obj");
+  if (read == nullptr) throw std::runtime_error("the name doesn't end in .ply, .off, .stl or .obj");
   return read(read_bytes(path));
 }
 
@@ -65,7 +67,7 @@ void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
   std::ofstream file(path, std::ios::binary | std::ios::trunc);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file) throw FileError("can't write " + path.string());
+  if (!file) throw std::runtime_error("can't write " + path.string());
 }
 
 }  // namespace

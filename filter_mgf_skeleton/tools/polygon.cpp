@@ -92,13 +92,13 @@ std::size_t best_ear(const std::vector<Point>& polygon, const std::vector<Point2
 }  // namespace
 
 void append_polygon(FileMesh& mesh, const std::vector<std::int64_t>& corners) {
-  if (corners.size() < 3) throw FileError("a face has fewer than three corners");
+  if (corners.size() < 3) throw ParseError("a face has fewer than three corners");
   std::vector<Point> polygon;
   polygon.reserve(corners.size());
   for (const std::int64_t corner : corners) {
     if (corner < 0 || corner >= static_cast<std::int64_t>(mesh.points.size())) {
-      throw FileError("a face names vertex " + std::to_string(corner) + ", but there are only " +
-                      std::to_string(mesh.points.size()) + " (numbered from 0)");
+      throw ParseError("a face names vertex " + std::to_string(corner) + ", but there are only " +
+                       std::to_string(mesh.points.size()) + " (numbered from 0)");
     }
     polygon.push_back(mesh.points[static_cast<std::size_t>(corner)]);
   }

@@ -59,7 +59,7 @@ FileMesh read_obj(const std::string& bytes) {
   for (const FaceLine& face : faces) {
     try {
       append_polygon(mesh, face.corners);
-    } catch (const FileError& error) {
+    } catch (const ParseError& error) {
       face.scanner.fail(error.what());
     }
   }

@@ -43,7 +43,7 @@ FileMesh read_off(const std::string& bytes) {
     for (std::int64_t& corner : corners) corner = scanner.integer("a vertex number");
     try {
       append_polygon(mesh, corners);
-    } catch (const FileError& error) {
+    } catch (const ParseError& error) {
       scanner.fail(error.what());
     }
     scanner.next_line();  // colour

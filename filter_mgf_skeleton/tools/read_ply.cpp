@@ -120,14 +120,14 @@ NextNumber from_binary(BinaryReader reader) {
       case NumberType::kFloat64:
         return reader.next<double>();
     }
-    throw FileError("unknown number type");
+    throw ParseError("unknown number type");
   };
 }
 
 std::size_t list_length(const Property& property, const NextNumber& next) {
   if (!property.length_type) return 1;
   const double length = next(*property.length_type);
-  if (!(length >= 0)) throw FileError("a list has a negative length");
+  if (!(length >= 0)) throw ParseError("a list has a negative length");
   return static_cast<std::size_t>(length);
 }
 
@@ -150,7 +150,7 @@ constexpr double kLargestVertexNumber = 4294967295.0;
 
 std::int64_t vertex_number(double value) {
   if (!(std::abs(value) <= kLargestVertexNumber) || value != std::trunc(value))
-    throw FileError("a face names a vertex by something that is no whole number");
+    throw ParseError("a face names a vertex by something that is no whole number");
   return static_cast<std::int64_t>(value);
 }
 
@@ -199,13 +199,13 @@ FileMesh read_ply(const std::string& bytes) {
   for (const Element& element : header.elements) {
     if (element.name == "vertex") {
       if (!has_property(element, "x") || !has_property(element, "y") || !has_property(element, "z"))
-        throw FileError("the vertices have no x, y and z");
+        throw ParseError("the vertices have no x, y and z");
       read_vertices(element, next, mesh);
     } else if (element.name == "face") {
       faces = read_faces(element, next);
     } else {
       if (element.name == "tristrips")
-        throw FileError("triangle strips can't be read; save the mesh with faces");
+        throw ParseError("triangle strips can't be read; save the mesh with faces");
       skip_element(element, next);
     }
   }

@@ -69,7 +69,7 @@ class TextScanner {
   }
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw FileError("line " + std::to_string(line_) + ": " + message);
+    throw ParseError("line " + std::to_string(line_) + ": " + message);
   }
 
   std::size_t position() const { return position_; }

@@ -195,9 +195,13 @@ bool MeshlabDriver::run(const QStringList& words, QJsonObject& seen) {
   } else if (command == "set") {
     set_parameter(argument, words.value(2));
   } else if (command == "apply") {
-    click("Apply");
+    button("Apply")->click();
+  } else if (command == "apply_twice") {
+    // Comes due when the filter first lets events through.
+    QTimer::singleShot(0, button("Apply"), &QPushButton::click);
+    button("Apply")->click();
   } else if (command == "close") {
-    click("Close");
+    button("Close")->click();
   } else if (command == "layers") {
     seen["layers"] = QJsonArray::fromStringList(layer_names());
   } else if (command == "log") {
@@ -253,16 +257,12 @@ void MeshlabDriver::set_parameter(const QString& label, const QString& value) {
   enter(widget, value);
 }
 
-void MeshlabDriver::click(const QString& text) {
+QPushButton* MeshlabDriver::button(const QString& text) const {
   const QDockWidget* dialog = filter_dialog();
   if (dialog == nullptr) fail("no filter dialog is open");
   const QList<QPushButton*> buttons = dialog->findChildren<QPushButton*>();
-  for (QPushButton* button : buttons) {
-    if (plain(button->text()) == text) {
-      button->click();
-      return;
-    }
-  }
+  for (QPushButton* button : buttons)
+    if (plain(button->text()) == text) return button;
   fail("the dialog has no button '" + text + "'");
 }
 

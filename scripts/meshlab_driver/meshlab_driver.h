@@ -12,6 +12,7 @@
 class QAction;
 class QDockWidget;
 class QMessageBox;
+class QPushButton;
 class QTreeWidget;
 class QWidget;
 
@@ -25,6 +26,7 @@ namespace mgf::driver {
 ///   dialog                title, help and parameter labels of the open filter dialog
 ///   set LABEL VALUE       fills in a parameter
 ///   apply                 clicks Apply and waits for the filter to end
+///   apply_twice           the same, and clicks Apply once more while the filter runs
 ///   close                 closes the filter dialog
 ///   layers                the names of the layers
 ///   log                   the text of the log
@@ -52,7 +54,6 @@ class MeshlabDriver : public QObject {
 
   void start_filter(const QString& name);
   void set_parameter(const QString& label, const QString& value);
-  void click(const QString& text);
   void select_layer(const QString& name);
   void show_layers(const QStringList& names);
   void zoom(int steps);
@@ -60,6 +61,7 @@ class MeshlabDriver : public QObject {
 
   QWidget* main_window() const;
   QDockWidget* filter_dialog() const;
+  QPushButton* button(const QString& text) const;  ///< of the filter dialog
   QWidget* view() const;
   QTreeWidget* layer_tree() const;
   QStringList layer_names() const;

@@ -117,6 +117,18 @@ class Window(HostTest):
         for layers in self.seen(lines, "layers"):
             self.assertEqual(layers, ["torus"])
 
+    def test_a_second_apply_while_a_filter_runs_is_refused_and_the_first_one_ends_well(self):
+        lines = self.do(
+            ("start", "Curve Skeleton (MGF)"),
+            ("apply_twice",),
+            ("layers",),
+            mesh=shapes.torus(),
+        )
+        [box] = self.seen(lines, "box")
+        self.assertIn("is running", box)
+        [layers] = self.seen(lines, "layers")
+        self.assertEqual(layers.count("torus curve skeleton"), 1, layers)
+
     def test_a_value_out_of_range_is_refused_by_name(self):
         lines = self.do(
             ("start", "Curve Skeleton (MGF)"),
