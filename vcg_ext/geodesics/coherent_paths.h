@@ -21,6 +21,7 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/edge_paths.h"
+#include "vcg_ext/geodesics/funnel.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_paths.h"
@@ -91,6 +92,7 @@ class CoherentPaths {
     EdgeSearch search;
     PathShortener shortener;
     std::vector<Trial> trials;
+    std::vector<Index> corridor;  ///< the one tried
   };
   /// A path found for a pair in this round.
   struct Candidate {
@@ -123,8 +125,10 @@ class CoherentPaths {
       if (mesh_.outgoing[a] == kNone || mesh_.outgoing[b] == kNone) return;
       const std::vector<Index> vertices = short_edge_path(a, b);
       if (vertices.empty()) return;
-      try_corridor(pairs_[i], corridor_of_vertices(mesh_, vertices), workspace(worker),
-                   candidates_[i]);
+      Workspace& work = workspace(worker);
+      CorridorBuilder builder(mesh_, work.corridor);
+      follow_vertices(vertices, builder);
+      try_corridor(pairs_[i], to_index(i), work, candidates_[i]);
     });
     std::vector<Index> all(pairs_.size());
     std::iota(all.begin(), all.end(), 0U);
@@ -171,7 +175,9 @@ class CoherentPaths {
       Workspace& work = workspace(worker);
       const std::vector<Index> vertices = work.search.run(pair.a, pair.b);
       if (vertices.empty()) return;
-      try_corridor(pair, corridor_of_vertices(mesh_, vertices), work, candidates_[i]);
+      CorridorBuilder builder(mesh_, work.corridor);
+      follow_vertices(vertices, builder);
+      try_corridor(pair, chosen[i], work, candidates_[i]);
     });
     for (const Index pair : chosen) asked_in_[pair] = kSearched;
     accept(chosen);
@@ -265,38 +271,59 @@ class CoherentPaths {
     return mine.dot(other) <= 0.0 || mine.cross(other).norm() > sine;
   }
 
+  /// Leads the neighbour's path on to the pair's own end. The path is shortened from the end that
+  /// the two share: what changes is mostly at the other.
   void try_neighbour(Index pair, const Trial& trial, Workspace& work, Candidate& best) const {
-    PathPiece across{trial.moved, trial.end, {}};
-    if (find_halfedge(mesh_, trial.moved, trial.end) != kNone) {
-      // along the edge
+    CorridorBuilder builder(mesh_, work.corridor);
+    follow_path(trial.from, trial.shared, builder);
+    const Index edge = find_halfedge(mesh_, trial.moved, trial.end);
+    if (edge != kNone) {
+      builder.follow_edge(edge);
     } else if (trial.third != kNone && paths_.has(trial.third)) {
-      across.crossed = oriented(trial.third, trial.moved);
+      follow_path(trial.third, trial.moved, builder);
     } else {
       constexpr std::size_t kShortSearch = 32;
       const std::vector<Index> vertices = work.search.run(trial.moved, trial.end, kShortSearch);
       if (vertices.empty()) return;
-      across.crossed = corridor_of_vertices(mesh_, vertices);
+      follow_vertices(vertices, builder);
     }
-    std::vector<Index> corridor = corridor_of_pieces(
-        mesh_, {{trial.shared, trial.moved, oriented(trial.from, trial.shared)}, across});
-    if (trial.shared != pairs_[pair].a) corridor = reversed_corridor(mesh_, corridor);
-    try_corridor(pairs_[pair], std::move(corridor), work, best);
+    try_corridor({trial.shared, trial.end}, pair, work, best);
   }
 
-  std::vector<Index> oriented(Index pair, Index start) const {
-    return pairs_[pair].a == start ? paths_.corridor[pair]
-                                   : reversed_corridor(mesh_, paths_.corridor[pair]);
+  /// The path of `pair` from its end `start` to the other.
+  void follow_path(Index pair, Index start, CorridorBuilder& builder) const {
+    const auto [a, b] = pairs_[pair];
+    const std::vector<Index>& path = paths_.corridor[pair];
+    if (path.empty()) {
+      builder.follow_edge(find_halfedge(mesh_, start, start == a ? b : a));
+    } else if (start == a) {
+      builder.cross(path.data(), path.data() + path.size());
+    } else {
+      builder.cross_back(path.data(), path.data() + path.size());
+    }
   }
 
-  static void try_corridor(const VertexPair& pair, std::vector<Index> corridor, Workspace& work,
-                           Candidate& best) {
-    const double length = work.shortener.shorten(pair.a, pair.b, corridor);
+  void follow_vertices(const std::vector<Index>& vertices, CorridorBuilder& builder) const {
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      builder.follow_edge(find_halfedge(mesh_, vertices[i], vertices[i + 1]));
+    }
+  }
+
+  /// Shortens the corridor in `work`, which leads from `way.a` to `way.b`, the ends of `pair` in
+  /// either order, and keeps it if it is the best for the pair.
+  void try_corridor(const VertexPair& way, Index pair, Workspace& work, Candidate& best) const {
+    const double length = work.shortener.shorten(way.a, way.b, work.corridor);
     if (!(length < best.length)) return;
     best.length = length;
     const Funnel& funnel = work.shortener.funnel();
-    best.tangents = {funnel.tangent_at_start(pair.a, pair.b, corridor),
-                     funnel.tangent_at_end(pair.a, pair.b, corridor)};
-    best.corridor = std::move(corridor);
+    best.tangents = {funnel.tangent_at_start(way.a, way.b, work.corridor),
+                     funnel.tangent_at_end(way.a, way.b, work.corridor)};
+    if (way.a == pairs_[pair].a) {
+      best.corridor = work.corridor;
+    } else {
+      std::swap(best.tangents[0], best.tangents[1]);
+      best.corridor = reversed_corridor(mesh_, work.corridor);
+    }
   }
 
   /// Takes over the candidates that are shorter, and queues their pairs, at `least` or later.

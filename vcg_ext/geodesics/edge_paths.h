@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "vcg_ext/core/types.h"
-#include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 
 namespace mgf {
@@ -75,15 +74,5 @@ class EdgeSearch {
   std::vector<Index> touched_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
-
-/// The corridor along a path of edges, given by its vertices.
-inline std::vector<Index> corridor_of_vertices(const HalfedgeMesh& mesh,
-                                               const std::vector<Index>& vertices) {
-  std::vector<PathPiece> pieces;
-  for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
-    pieces.push_back({vertices[i], vertices[i + 1], {}});
-  }
-  return corridor_of_pieces(mesh, pieces);
-}
 
 }  // namespace mgf

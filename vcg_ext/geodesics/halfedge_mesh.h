@@ -62,8 +62,9 @@ struct HalfedgeMesh {
   std::vector<double> direction;    ///< one per halfedge: its angle about the tail, anticlockwise
                                     ///< from the tail's `outgoing`, on the surface
   std::vector<double> total_angle;  ///< one per vertex
-  std::vector<Index> outgoing;      ///< one per vertex: a halfedge that leaves it, or kNone
-  std::vector<char> is_thin;        ///< one per triangle: so thin (kThin) that angles are uncertain
+  std::vector<double> half_angle_cosine;  ///< one per vertex, of half its total angle, at most pi
+  std::vector<Index> outgoing;            ///< one per vertex: a halfedge that leaves it, or kNone
+  std::vector<char> is_thin;  ///< one per triangle: so thin (kThin) that angles are uncertain
   double mean_edge = 0.0;
 
   std::size_t vertex_count() const { return points.size(); }
@@ -152,6 +153,7 @@ inline void lay_flat(HalfedgeMesh& mesh) {
 inline void measure_angles(HalfedgeMesh& mesh) {
   mesh.direction.assign(mesh.halfedges.size(), -1.0);
   mesh.total_angle.assign(mesh.points.size(), 0.0);
+  mesh.half_angle_cosine.assign(mesh.points.size(), 1.0);
   mesh.outgoing.assign(mesh.points.size(), kNone);
   for (Index h = 0; h < mesh.halfedges.size(); ++h) {
     const Index v = mesh.tail(h);
@@ -169,6 +171,7 @@ inline void measure_angles(HalfedgeMesh& mesh) {
       turn = mesh.rotated(turn);
     } while (turn != h);
     mesh.total_angle[v] = angle;
+    mesh.half_angle_cosine[v] = std::cos(std::min(0.5 * angle, kPi));
   }
 }
 

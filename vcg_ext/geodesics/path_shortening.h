@@ -8,6 +8,7 @@
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/corridor.h"
+#include "vcg_ext/geodesics/funnel.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 
 namespace mgf {
@@ -15,7 +16,8 @@ namespace mgf {
 /// Shortens paths on one mesh; keeps its memory between calls.
 class PathShortener {
  public:
-  explicit PathShortener(const HalfedgeMesh& mesh) : mesh_(mesh), funnel_(mesh) {}
+  explicit PathShortener(const HalfedgeMesh& mesh)
+      : mesh_(mesh), best_(mesh), other_way_(mesh), flipped_(mesh) {}
 
   /// Makes `corridor` from a to b one whose shortest path is locally shortest on the surface, and
   /// returns that path's length. Where the path bends at a vertex with less than a half turn on the
@@ -23,57 +25,65 @@ class PathShortener {
   /// the way round its far side is shorter.
   double shorten(Index a, Index b, std::vector<Index>& corridor) {
     trim_corridor(mesh_, a, b, corridor);
-    double length = straighten_and_flip(a, b, corridor, funnel_.straighten(a, b, corridor));
-    for (int pass = 0; pass < kMostPasses && lead_round_peak(corridor); ++pass) {
-      std::swap(other_way_, flipped_);
-      trim_corridor(mesh_, a, b, other_way_);
-      const double shorter =
-          straighten_and_flip(a, b, other_way_, funnel_.straighten(a, b, other_way_));
-      if (!(shorter < length * (1.0 - kLeastGain))) {
-        funnel_.straighten(a, b, corridor);
-        break;
-      }
-      length = shorter;
-      std::swap(corridor, other_way_);
+    best_.corridor.swap(corridor);
+    best_.length = best_.funnel.straighten(a, b, best_.corridor);
+    flip_all(a, b, best_);
+    for (int pass = 0; pass < kMostPasses && lead_round_peak(best_, other_way_.corridor); ++pass) {
+      straighten_like(a, b, best_, other_way_);
+      flip_all(a, b, other_way_);
+      if (!(other_way_.length < best_.length * (1.0 - kLeastGain))) break;
+      std::swap(best_, other_way_);
     }
-    return length;
+    best_.corridor.swap(corridor);
+    return best_.length;
   }
 
   /// The path that `shorten` ended with.
-  const Funnel& funnel() const { return funnel_; }
+  const Funnel& funnel() const { return best_.funnel; }
 
  private:
-  /// Flips bends until none gains by it. The funnel holds the corridor's path, before and after.
-  double straighten_and_flip(Index a, Index b, std::vector<Index>& corridor, double length) {
-    for (int pass = 0; pass < kMostPasses && flip_bends(corridor); ++pass) {
-      trim_corridor(mesh_, a, b, flipped_);
-      const double shorter = funnel_.straighten(a, b, flipped_);
-      if (!(shorter < length * (1.0 - kLeastGain))) {
-        funnel_.straighten(a, b, corridor);
-        break;
-      }
-      length = shorter;
-      std::swap(corridor, flipped_);
+  /// A corridor with its shortest path.
+  struct Strip {
+    explicit Strip(const HalfedgeMesh& mesh) : funnel(mesh) {}
+    std::vector<Index> corridor;
+    Funnel funnel;
+    double length = 0.0;
+  };
+
+  /// Flips bends until none gains by it.
+  void flip_all(Index a, Index b, Strip& strip) {
+    for (int pass = 0; pass < kMostPasses && flip_bends(strip, flipped_.corridor); ++pass) {
+      straighten_like(a, b, strip, flipped_);
+      if (!(flipped_.length < strip.length * (1.0 - kLeastGain))) break;
+      std::swap(strip, flipped_);
     }
-    return length;
   }
 
-  /// Writes `corridor` led round the other side of the one convex vertex on its border where that
-  /// promises most to `flipped_`; returns whether there is one.
-  bool lead_round_peak(const std::vector<Index>& corridor) {
-    const std::vector<Index>& path = funnel_.path();
+  /// Straightens the corridor of `strip`, which begins like that of `like`.
+  void straighten_like(Index a, Index b, const Strip& like, Strip& strip) {
+    trim_corridor(mesh_, a, b, strip.corridor);
+    const auto differ = std::mismatch(like.corridor.begin(), like.corridor.end(),
+                                      strip.corridor.begin(), strip.corridor.end());
+    const auto same = static_cast<std::size_t>(differ.first - like.corridor.begin());
+    strip.length = strip.funnel.straighten(a, b, strip.corridor, like.funnel, same);
+  }
+
+  /// Writes the strip's corridor, led round the other side of the one convex vertex on its border
+  /// where that promises most, to `out`; returns whether there is one.
+  bool lead_round_peak(const Strip& strip, std::vector<Index>& out) const {
+    const Funnel& funnel = strip.funnel;
+    const std::vector<Index>& path = funnel.path();
     double best_gain = 0.0;
     Index best = kNone;
     std::size_t piece = 0;  // the path's piece that portals are on, by the bend that ends it
-    for (Index i = 1; i + 1 < funnel_.node_count(); ++i) {
-      const Funnel::Node& node = funnel_.node(i);
-      while (piece + 2 < path.size() && funnel_.node(path[piece + 1]).portal <= node.portal)
-        ++piece;
+    for (Index i = 1; i + 1 < funnel.node_count(); ++i) {
+      const Funnel::Node& node = funnel.node(i);
+      while (piece + 2 < path.size() && funnel.node(path[piece + 1]).portal <= node.portal) ++piece;
+      const Vec2 back = funnel.node(path[piece]).place - node.place;
+      const Vec2 ahead = funnel.node(path[piece + 1]).place - node.place;
+      if (!is_wider_than_half(node.vertex, back, ahead)) continue;
+      if (i == path[piece] || i == path[piece + 1]) continue;
       const double around = mesh_.total_angle[node.vertex];
-      if (around >= 2.0 * kPi || i == path[piece] || i == path[piece + 1]) continue;
-      const Vec2 back = funnel_.node(path[piece]).place - node.place;
-      const Vec2 ahead = funnel_.node(path[piece + 1]).place - node.place;
-      if (!(dot(back, ahead) < 0.0)) continue;
       const double seen = std::atan2(std::abs(cross(back, ahead)), dot(back, ahead));
       if (!(seen > around - seen + kLeastTurn)) continue;
       const double product = 2.0 * norm(back) * norm(ahead);
@@ -84,13 +94,22 @@ class PathShortener {
       }
     }
     if (best == kNone) return false;
-    flipped_.clear();
-    const Funnel::Node& peak = funnel_.node(best);
-    const Index last = last_portal_of(peak, corridor);
-    for (Index k = 0; k < peak.portal; ++k) cross_edge(mesh_, corridor[k], flipped_);
-    pass_other_side(peak, corridor[peak.portal], corridor[last]);
-    for (Index k = last + 1; k < corridor.size(); ++k) cross_edge(mesh_, corridor[k], flipped_);
+    out.clear();
+    const Funnel::Node& peak = funnel.node(best);
+    const Index last = last_portal_of(peak, strip.corridor);
+    copy(strip.corridor, 0, peak.portal, out);
+    pass_other_side(peak, strip.corridor[peak.portal], strip.corridor[last], out);
+    copy(strip.corridor, last + 1, to_index(strip.corridor.size()), out);
     return true;
+  }
+
+  /// Whether v is convex and the angle there between two directions is blunt and more than half of
+  /// what is around v, up to rounding.
+  bool is_wider_than_half(Index v, Vec2 back, Vec2 ahead) const {
+    const double half = mesh_.half_angle_cosine[v];
+    const double product = dot(back, ahead);
+    if (half <= -1.0 + kLeastTurn || product >= 0.0) return false;
+    return half >= 0.0 || product * product > half * half * dot(back, back) * dot(ahead, ahead);
   }
 
   /// The last directed edge of the corridor that ends at the node's vertex without a break.
@@ -102,43 +121,52 @@ class PathShortener {
     return last;
   }
 
-  /// Writes `corridor` with all bends flipped that gain by it and don't touch to `flipped_`;
+  /// Writes the strip's corridor, with all bends flipped that gain by it and don't touch, to `out`;
   /// returns whether there are any.
-  bool flip_bends(const std::vector<Index>& corridor) {
-    const std::vector<Index>& path = funnel_.path();
-    flipped_.clear();
+  bool flip_bends(const Strip& strip, std::vector<Index>& out) const {
+    const std::vector<Index>& corridor = strip.corridor;
+    const Funnel& funnel = strip.funnel;
+    const std::vector<Index>& path = funnel.path();
+    out.clear();
     bool any = false;
     Index done = 0;  // portals before this are copied
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-      const Funnel::Node& bend = funnel_.node(path[i]);
-      const Vec2 in = bend.place - funnel_.node(path[i - 1]).place;
-      const Vec2 out = funnel_.node(path[i + 1]).place - bend.place;
-      const double turn = std::abs(std::atan2(cross(in, out), dot(in, out)));
+      const Funnel::Node& bend = funnel.node(path[i]);
+      const Vec2 before = bend.place - funnel.node(path[i - 1]).place;
+      const Vec2 after = funnel.node(path[i + 1]).place - bend.place;
+      const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
       if (!(turn > mesh_.total_angle[bend.vertex] - 2.0 * kPi + kLeastTurn)) continue;
       const Index first = bend.portal;
       if (first < done) continue;
       const Index last = last_portal_of(bend, corridor);
-      for (; done < first; ++done) cross_edge(mesh_, corridor[done], flipped_);
-      pass_other_side(bend, corridor[first], corridor[last]);
+      copy(corridor, done, first, out);
+      pass_other_side(bend, corridor[first], corridor[last], out);
       done = last + 1;
       any = true;
     }
-    for (; any && done < corridor.size(); ++done) cross_edge(mesh_, corridor[done], flipped_);
+    if (any) copy(corridor, done, to_index(corridor.size()), out);
     return any;
+  }
+
+  /// Appends the corridor's directed edges [first, last) to `out`.
+  void copy(const std::vector<Index>& corridor, Index first, Index last,
+            std::vector<Index>& out) const {
+    cross_edges(mesh_, corridor.data() + first, corridor.data() + last, out);
   }
 
   Index end_of(Index h, bool left) const { return left ? mesh_.tail(h) : mesh_.head(h); }
 
-  void pass_other_side(const Funnel::Node& bend, Index first, Index last) {
+  void pass_other_side(const Funnel::Node& bend, Index first, Index last,
+                       std::vector<Index>& out) const {
     Index h = bend.is_left ? mesh_.rotated_back(first) : mesh_.opposite(first);
     const Index to = bend.is_left ? last : next_in_triangle(last);
     while (h != to) {
       if (bend.is_left) {
-        cross_edge(mesh_, mesh_.opposite(h), flipped_);
+        cross_edge(mesh_, mesh_.opposite(h), out);
         h = mesh_.rotated_back(h);
       } else {
         h = mesh_.rotated(h);
-        cross_edge(mesh_, h, flipped_);
+        cross_edge(mesh_, h, out);
       }
     }
   }
@@ -148,9 +176,9 @@ class PathShortener {
   static constexpr double kLeastTurn = 1e-10;  ///< smaller turns are rounding
 
   const HalfedgeMesh& mesh_;
-  Funnel funnel_;
-  std::vector<Index> flipped_;    ///< the corridor with some vertices passed on the other side
-  std::vector<Index> other_way_;  ///< the corridor round a peak
+  Strip best_;
+  Strip other_way_;  ///< round a peak
+  Strip flipped_;    ///< with some vertices passed on the other side
 };
 
 }  // namespace mgf

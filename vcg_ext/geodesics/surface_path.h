@@ -8,6 +8,7 @@
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/corridor.h"
+#include "vcg_ext/geodesics/funnel.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 
