@@ -11,7 +11,7 @@
 #include "vcg_ext/exact/delaunay.h"
 #include "vcg_ext/medial/constrained_surface.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
-#include "vcg_ext/medial/spatial_order.h"
+#include "vcg_ext/core/spatial_order.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 #include "vcg_ext/medial/topology_certificate.h"
 
