@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "vcg_ext/input/point_insertion.h"
+#include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/placement.h"
 
 namespace mgf {
@@ -49,17 +50,11 @@ void warn_of_topology(const TopologyCertificate& certificate, Warnings& warnings
 // Only tetrahedra at faces of T' that are none of T can hold such a vertex's centroid.
 void discard_vertices_outside(const SurfaceTree& tree, const TriangleSurface& surface,
                               const InteriorTetrahedra& interior, MedialComplex& complex) {
-  const PairTable edges = detail::surface_edges(surface.triangles);
+  const FaceLookup lookup(surface.triangles, surface.points.size());
   for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
-    const Tetrahedron& corners = interior.tetrahedra[t];
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (unsigned i = 0; i < 4; ++i) {
       if (interior.neighbours[t][i] != kNone) continue;
-      const Index a = corners[(i + 1) % 4];
-      const Index b = corners[(i + 2) % 4];
-      const Index c = corners[(i + 3) % 4];
-      const bool of_input =
-          edges.find(a, b) != kNone && edges.find(b, c) != kNone && edges.find(c, a) != kNone;
-      if (of_input) continue;
+      if (lookup.has(face_of(interior.tetrahedra[t], i))) continue;
       if (!tree.inside(complex.position[t]) || !tree.inside(tetrahedron_centroid(interior, t))) {
         complex.displaced[t] = 1;
       }
@@ -93,11 +88,17 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   axis.warnings = axis.working.warnings;
   clock.finish("check", axis.times);
 
+  // The diagnosis has found out whether automatic sampling has anything to do.
+  const bool dense = !options.sampling.length && axis.diagnosis.find("too_coarse") == nullptr;
   const RefinedSurface sampled =
-      refine_sampling(axis.working.surface, options.sampling, progress.slice(0.15, 0.3));
+      dense ? unrefined(axis.working.surface)
+            : refine_sampling(axis.working.surface, options.sampling, progress.slice(0.15, 0.3));
   clock.finish("sampling", axis.times);
 
-  axis.interior = recover_interior(sampled.surface, options.recovery, progress.slice(0.3, 0.9));
+  RecoveryOptions recovery = options.recovery;
+  const Finding* crossings = axis.diagnosis.find("self_intersections");
+  recovery.known_crossings = crossings != nullptr ? crossings->count : 0;
+  axis.interior = recover_interior(sampled.surface, recovery, progress.slice(0.3, 0.9));
   clock.finish("topology", axis.times);
 
   progress.report(0.9, "Medial complex");

@@ -39,6 +39,12 @@ class FaceLookup {
     }
   }
 
+  bool has(const Triangle& face) const {
+    bool found = false;
+    visit(face, [&](Index) { found = true; });
+    return found;
+  }
+
  private:
   static Triangle ascending(Triangle t) {
     if (t[0] > t[1]) std::swap(t[0], t[1]);

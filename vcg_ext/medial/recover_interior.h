@@ -2,6 +2,7 @@
 // From a closed surface to tetrahedra that fill it, with its topology: the whole story.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <utility>
 
@@ -20,7 +21,9 @@ namespace mgf {
 /// How the interior is found.
 struct RecoveryOptions {
   bool recover_input_surface = false;  ///< T' = T: no surface flips at all
-  bool lift_overlaps = true;  ///< where the surface passes through itself, keep both copies
+  bool lift_overlaps = true;        ///< where the surface passes through itself, keep both copies
+  std::size_t known_crossings = 0;  ///< pairs of faces known to cross: if many, the surface is cut
+                                    ///< there at once. 0 promises nothing
 };
 
 namespace recovery_detail {
@@ -34,18 +37,67 @@ inline constexpr AttemptOptions kMoreAttempts[] = {{true, false, 0.20, 400, 2},
 inline constexpr AttemptOptions kSoupAttempts[] = {{true, false, 0.20, 400, 6},
                                                    {false, false, 0.50, 1500, 7}};
 
-// The best of the results seen.
-class Best {
+// Flips and splits serve a surface that crosses itself in no more pairs of faces.
+inline constexpr std::size_t kFewCrossings = 32;
+
+// Ways to recover one surface, tried in turn; the best of the results seen.
+class Attempts {
  public:
-  explicit Best(InteriorTetrahedra first) : best_(std::move(first)) {}
-  void offer(InteriorTetrahedra next) {
-    if (shortfall(next) < shortfall(best_)) best_ = std::move(next);
+  Attempts(const TriangleSurface& surface, const RecoveryOptions& options, Progress progress)
+      : surface_(surface),
+        options_(options),
+        progress_(std::move(progress)),
+        expected_(expected_betti_numbers(surface)),
+        ordered_(in_spatial_order(surface)) {}
+
+  void run() {
+    if (options_.known_crossings > kFewCrossings && cut_along_crossings()) return;
+    const BoxedSurface plain = boxed(ordered_);
+    attempt(plain, kFirstAttempt);
+    if (verdict() == TopologyVerdict::kProven) return;
+    if (exact::self_intersections(ordered_.surface).empty()) {
+      for (const AttemptOptions& way : kMoreAttempts) {
+        attempt(plain, way);
+        if (verdict() == TopologyVerdict::kProven) return;
+      }
+    } else if (verdict() == TopologyVerdict::kFailed) {
+      cut_along_crossings();
+    }
   }
-  TopologyVerdict verdict() const { return best_.certificate.topology; }
-  InteriorTetrahedra take() { return std::move(best_); }
+
+  InteriorTetrahedra take_best() { return std::move(*best_); }
 
  private:
-  InteriorTetrahedra best_;
+  TopologyVerdict verdict() const { return best_->certificate.topology; }
+
+  // Gives whether every face was recovered.
+  bool attempt(const BoxedSurface& boxed_surface, AttemptOptions way) {
+    way.flat_flips = way.flat_flips && !options_.recover_input_surface;
+    way.guided_flips = way.guided_flips && !options_.recover_input_surface;
+    const RecoveredMesh recovered = attempt_recovery(boxed_surface, way, progress_);
+    InteriorTetrahedra found =
+        choose_interior(recovered, ordered_, surface_, expected_, options_.lift_overlaps);
+    if (!best_ || shortfall(found) < shortfall(*best_)) best_ = std::move(found);
+    return recovered.complete;
+  }
+
+  // False if that can't be done. A complete recovery has nothing to gain from another.
+  bool cut_along_crossings() {
+    const std::optional<TriangleSurface> refined = autorefined(ordered_.surface);
+    if (!refined) return false;
+    const BoxedSurface soup = boxed(ordered_, *refined);
+    for (const AttemptOptions& way : kSoupAttempts) {
+      if (attempt(soup, way) || verdict() != TopologyVerdict::kFailed) return true;
+    }
+    return true;
+  }
+
+  const TriangleSurface& surface_;
+  const RecoveryOptions& options_;
+  Progress progress_;
+  BettiNumbers expected_;
+  OrderedSurface ordered_;
+  std::optional<InteriorTetrahedra> best_;
 };
 
 }  // namespace recovery_detail
@@ -62,37 +114,11 @@ class Best {
 inline InteriorTetrahedra recover_interior(const TriangleSurface& surface,
                                            const RecoveryOptions& options,
                                            const Progress& progress = {}) {
-  using namespace recovery_detail;
   progress.report(0.0, "topology");
-  const BettiNumbers expected = expected_betti_numbers(surface);
-  const OrderedSurface ordered = in_spatial_order(surface);
-  const auto attempt = [&](const BoxedSurface& boxed_surface, AttemptOptions way) {
-    way.flat_flips = way.flat_flips && !options.recover_input_surface;
-    way.guided_flips = way.guided_flips && !options.recover_input_surface;
-    const RecoveredMesh recovered = attempt_recovery(boxed_surface, way, progress.slice(0.2, 0.9));
-    return choose_interior(recovered, ordered, surface, expected, options.lift_overlaps);
-  };
-  const BoxedSurface plain = boxed(ordered);
-  Best best(attempt(plain, kFirstAttempt));
-  if (best.verdict() != TopologyVerdict::kProven) {
-    if (exact::self_intersections(ordered.surface).empty()) {
-      for (const AttemptOptions& way : kMoreAttempts) {
-        best.offer(attempt(plain, way));
-        if (best.verdict() == TopologyVerdict::kProven) break;
-      }
-    } else if (best.verdict() == TopologyVerdict::kFailed) {
-      const std::optional<TriangleSurface> refined = autorefined(ordered.surface);
-      if (refined) {
-        const BoxedSurface soup = boxed(ordered, *refined);
-        for (const AttemptOptions& way : kSoupAttempts) {
-          best.offer(attempt(soup, way));
-          if (best.verdict() != TopologyVerdict::kFailed) break;
-        }
-      }
-    }
-  }
+  recovery_detail::Attempts attempts(surface, options, progress.slice(0.2, 0.9));
+  attempts.run();
   progress.report(1.0, "topology");
-  return best.take();
+  return attempts.take_best();
 }
 
 }  // namespace mgf
