@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/coherent_paths.h"
@@ -15,30 +16,45 @@
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_paths.h"
 #include "vcg_ext/geodesics/path_certificate.h"
+#include "vcg_ext/geodesics/spatial_numbering.h"
 
 namespace mgf {
 
 namespace detail {
 
-/// The answer from the paths: tangents from each path's first and last piece.
-inline PairGeodesics finish_geodesics(const HalfedgeMesh& mesh,
-                                      const std::vector<VertexPair>& pairs, PairPaths paths) {
+/// The answer, in the caller's numbers, from the paths: tangents from each path's first and last
+/// piece.
+inline PairGeodesics finish_geodesics(const SpatialNumbering& question, const HalfedgeMesh& mesh,
+                                      unsigned threads, PairPaths paths) {
+  const std::size_t count = paths.length.size();
   PairGeodesics result;
-  result.tangent_a.assign(pairs.size(), Vec3::Zero());
-  result.tangent_b.assign(pairs.size(), Vec3::Zero());
-  Funnel funnel(mesh);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (paths.length[i] < std::numeric_limits<double>::infinity()) {
-      const std::vector<Index>& corridor = paths.corridor[i];
-      funnel.straighten(pairs[i].a, pairs[i].b, corridor);
-      result.tangent_a[i] = funnel.tangent_at_start(pairs[i].a, pairs[i].b, corridor);
-      result.tangent_b[i] = funnel.tangent_at_end(pairs[i].a, pairs[i].b, corridor);
-      result.corridor.items.insert(result.corridor.items.end(), corridor.begin(), corridor.end());
+  result.length.resize(count);
+  result.certification.resize(count);
+  result.tangent_a.assign(count, Vec3::Zero());
+  result.tangent_b.assign(count, Vec3::Zero());
+  std::vector<Funnel> funnels(thread_count(threads), Funnel(mesh));
+  parallel_for(count, thread_count(threads), 256, [&](std::size_t i, unsigned worker) {
+    const Index pair = question.pair_number(to_index(i));
+    result.length[i] = paths.length[pair];
+    result.certification[i] = paths.certification[pair];
+    if (!paths.has(pair)) return;
+    const auto [a, b] = question.pairs()[pair];
+    std::vector<Index>& corridor = paths.corridor[pair];
+    Funnel& funnel = funnels[worker];
+    funnel.straighten(a, b, corridor);
+    result.tangent_a[i] = funnel.tangent_at_start(a, b, corridor);
+    result.tangent_b[i] = funnel.tangent_at_end(a, b, corridor);
+    if (question.is_turned(to_index(i))) {
+      std::swap(result.tangent_a[i], result.tangent_b[i]);
+      corridor = reversed_corridor(mesh, corridor);
     }
+    for (Index& h : corridor) h = question.original_halfedge(h);
+  });
+  for (Index i = 0; i < count; ++i) {
+    const std::vector<Index>& corridor = paths.corridor[question.pair_number(i)];
+    result.corridor.items.insert(result.corridor.items.end(), corridor.begin(), corridor.end());
     result.corridor.close_row();
   }
-  result.length = std::move(paths.length);
-  result.certification = std::move(paths.certification);
   return result;
 }
 
@@ -57,12 +73,14 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
                                             const std::vector<std::array<Index, 3>>& links,
                                             const GeodesicOptions& options,
                                             const Progress& progress = {}) {
-  const HalfedgeMesh mesh = make_halfedge_mesh(surface);
+  const SpatialNumbering question(surface, pairs, links);
+  const HalfedgeMesh mesh = make_halfedge_mesh(question.surface());
   PairPaths paths(pairs.size());
-  CoherentPaths carrier(mesh, pairs, links, options.threads, paths);
+  CoherentPaths carrier(mesh, question.pairs(), question.links(), options.threads, paths);
   carrier.run(progress.slice(0.0, 0.3));
   if (options.wanted != Certification::kUnproven) {
-    PathCertificate certificate(surface, mesh, pairs, options.threads, CertificateOptions{}, paths);
+    PathCertificate certificate(question.surface(), mesh, question.pairs(), options.threads,
+                                CertificateOptions{}, paths);
     // What a sample of the searches repairs is carried on first: paths of a wrong class come in
     // islands, and each makes its search dear.
     constexpr std::size_t kSample = 32;
@@ -71,7 +89,7 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
     certificate.run(1, progress.slice(0.4, 0.95));
   }
   progress.report(0.95, "Measuring geodesics");
-  return detail::finish_geodesics(mesh, pairs, std::move(paths));
+  return detail::finish_geodesics(question, mesh, options.threads, std::move(paths));
 }
 
 }  // namespace mgf

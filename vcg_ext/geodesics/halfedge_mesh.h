@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -91,34 +93,41 @@ struct HalfedgeMesh {
 
 namespace detail {
 
+inline std::string place_text(const Vec3& p) {
+  std::ostringstream text;
+  text << '(' << p.x() << ", " << p.y() << ", " << p.z() << ')';
+  return text.str();
+}
+
 /// Pairs each directed edge with its opposite. Throws `InputError` where that is not one to one.
 inline void match_opposites(HalfedgeMesh& mesh) {
   struct Side {
-    Index low, high, halfedge;
+    Index high, halfedge;
     bool operator<(const Side& o) const {
-      return std::tie(low, high, halfedge) < std::tie(o.low, o.high, o.halfedge);
+      return std::tie(high, halfedge) < std::tie(o.high, o.halfedge);
     }
   };
-  std::vector<Side> sides(mesh.halfedges.size());
-  for (Index h = 0; h < sides.size(); ++h) {
-    const std::pair<Index, Index> ends = std::minmax(mesh.tail(h), mesh.head(h));
-    sides[h] = {ends.first, ends.second, h};
-  }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i < sides.size(); i += 2) {
-    const bool paired = i + 1 < sides.size() && sides[i].low == sides[i + 1].low &&
-                        sides[i].high == sides[i + 1].high &&
-                        mesh.tail(sides[i].halfedge) != mesh.tail(sides[i + 1].halfedge);
-    const bool tripled = i + 2 < sides.size() && sides[i].low == sides[i + 2].low &&
-                         sides[i].high == sides[i + 2].high;
-    if (!paired || tripled) {
-      throw InputError("surface_not_closed",
-                       "The edge between vertices " + std::to_string(sides[i].low) + " and " +
-                           std::to_string(sides[i].high) +
-                           " does not have exactly two faces with opposite directions.");
+  std::vector<Index> low(mesh.halfedges.size());
+  for (Index h = 0; h < low.size(); ++h) low[h] = std::min(mesh.tail(h), mesh.head(h));
+  const Rows<Index> at_low = group_by_key(low, mesh.points.size());
+  std::vector<Side> sides;
+  for (Index v = 0; v < mesh.points.size(); ++v) {
+    sides.clear();
+    for (const Index h : at_low[v]) sides.push_back({std::max(mesh.tail(h), mesh.head(h)), h});
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = 0; i < sides.size(); i += 2) {
+      const bool paired = i + 1 < sides.size() && sides[i].high == sides[i + 1].high &&
+                          mesh.tail(sides[i].halfedge) != mesh.tail(sides[i + 1].halfedge);
+      const bool tripled = i + 2 < sides.size() && sides[i].high == sides[i + 2].high;
+      if (!paired || tripled) {
+        throw InputError("surface_not_closed",
+                         "The edge from " + place_text(mesh.points[v]) + " to " +
+                             place_text(mesh.points[sides[i].high]) +
+                             " does not have exactly two faces with opposite directions.");
+      }
+      mesh.halfedges[sides[i].halfedge].opposite = sides[i + 1].halfedge;
+      mesh.halfedges[sides[i + 1].halfedge].opposite = sides[i].halfedge;
     }
-    mesh.halfedges[sides[i].halfedge].opposite = sides[i + 1].halfedge;
-    mesh.halfedges[sides[i + 1].halfedge].opposite = sides[i].halfedge;
   }
 }
 
@@ -159,8 +168,9 @@ inline void measure_angles(HalfedgeMesh& mesh) {
     const Index v = mesh.tail(h);
     if (mesh.direction[h] >= 0.0) continue;
     if (mesh.outgoing[v] != kNone) {
-      throw InputError("vertex_not_manifold",
-                       "The faces at vertex " + std::to_string(v) + " form more than one fan.");
+      throw InputError(
+          "vertex_not_manifold",
+          "The faces at the vertex " + place_text(mesh.points[v]) + " form more than one fan.");
     }
     mesh.outgoing[v] = h;
     double angle = 0.0;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The question of compute_pair_geodesics renumbered so that what is near in space is near in
+// memory, and the way back.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/spatial_order.h"
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/geodesics/halfedge_mesh.h"
+#include "vcg_ext/geodesics/pair_geodesics.h"
+
+namespace mgf {
+
+/// A question with vertices and triangles in spatial order and pairs sorted by their ends. It, and
+/// so its answer, does not depend on how the caller numbered the vertices.
+class SpatialNumbering {
+ public:
+  SpatialNumbering(const TriangleSurface& surface, const std::vector<VertexPair>& pairs,
+                   const std::vector<std::array<Index, 3>>& links) {
+    number_vertices(surface);
+    number_triangles(surface);
+    number_pairs(pairs);
+    links_ = links;
+    for (std::array<Index, 3>& link : links_) {
+      for (Index& pair : link) pair = pair == kNone ? kNone : pair_number_[pair];
+    }
+  }
+
+  const TriangleSurface& surface() const { return surface_; }
+  const std::vector<VertexPair>& pairs() const { return pairs_; }
+  const std::vector<std::array<Index, 3>>& links() const { return links_; }
+
+  /// The number here of a pair of the caller's.
+  Index pair_number(Index pair) const { return pair_number_[pair]; }
+  /// Whether a pair of the caller's runs the other way here.
+  bool is_turned(Index pair) const { return is_turned_[pair] != 0; }
+  /// The caller's number of a directed edge of here.
+  Index original_halfedge(Index h) const { return 3 * original_triangle_[triangle_of(h)] + h % 3; }
+
+ private:
+  void number_vertices(const TriangleSurface& surface) {
+    std::vector<Index> order(surface.points.size());
+    std::iota(order.begin(), order.end(), 0U);
+    order = spatial_order(surface.points, std::move(order));
+    vertex_number_.resize(order.size());
+    for (Index i = 0; i < order.size(); ++i) {
+      vertex_number_[order[i]] = i;
+      surface_.points.push_back(surface.points[order[i]]);
+    }
+  }
+
+  /// In the order of their least vertices. Corners keep their places.
+  void number_triangles(const TriangleSurface& surface) {
+    std::vector<Index> least;
+    for (const Triangle& t : surface.triangles) {
+      least.push_back(std::min({vertex_number_[t[0]], vertex_number_[t[1]], vertex_number_[t[2]]}));
+    }
+    original_triangle_ = group_by_key(least, vertex_number_.size()).items;
+    for (const Index t : original_triangle_) {
+      const Triangle& corners = surface.triangles[t];
+      surface_.triangles.push_back(
+          {vertex_number_[corners[0]], vertex_number_[corners[1]], vertex_number_[corners[2]]});
+    }
+  }
+
+  void number_pairs(const std::vector<VertexPair>& pairs) {
+    struct Entry {
+      VertexPair ends;
+      Index original;
+      bool operator<(const Entry& o) const {
+        return std::tie(ends.a, ends.b, original) < std::tie(o.ends.a, o.ends.b, o.original);
+      }
+    };
+    std::vector<Entry> entries;
+    for (Index i = 0; i < pairs.size(); ++i) {
+      const Index a = vertex_number_[pairs[i].a];
+      const Index b = vertex_number_[pairs[i].b];
+      entries.push_back({{std::min(a, b), std::max(a, b)}, i});
+      is_turned_.push_back(a < b ? 0 : 1);
+    }
+    std::sort(entries.begin(), entries.end());
+    pair_number_.resize(pairs.size());
+    for (Index i = 0; i < entries.size(); ++i) {
+      pairs_.push_back(entries[i].ends);
+      pair_number_[entries[i].original] = i;
+    }
+  }
+
+  TriangleSurface surface_;
+  std::vector<VertexPair> pairs_;
+  std::vector<std::array<Index, 3>> links_;
+  std::vector<Index> vertex_number_;      ///< one per vertex of the caller's
+  std::vector<Index> original_triangle_;  ///< one per triangle of here
+  std::vector<Index> pair_number_;        ///< one per pair of the caller's
+  std::vector<char> is_turned_;           ///< the same
+};
+
+}  // namespace mgf
