@@ -123,35 +123,38 @@ class CoherentPaths {
     parallel_for(pairs_.size(), threads_, 256, [&](std::size_t i, unsigned worker) {
       const auto [a, b] = pairs_[i];
       if (mesh_.outgoing[a] == kNone || mesh_.outgoing[b] == kNone) return;
-      const std::vector<Index> vertices = short_edge_path(a, b);
-      if (vertices.empty()) return;
       Workspace& work = workspace(worker);
       CorridorBuilder builder(mesh_, work.corridor);
-      follow_vertices(vertices, builder);
-      try_corridor(pairs_[i], to_index(i), work, candidates_[i]);
+      if (follow_short_way(a, b, builder))
+        try_corridor(pairs_[i], to_index(i), work, candidates_[i]);
     });
     std::vector<Index> all(pairs_.size());
     std::iota(all.begin(), all.end(), 0U);
     accept(all);
   }
 
-  /// Along at most two edges, or nothing.
-  std::vector<Index> short_edge_path(Index a, Index b) const {
-    if (find_halfedge(mesh_, a, b) != kNone) return {a, b};
-    std::vector<Index> best;
-    double best_length = std::numeric_limits<double>::infinity();
+  /// Follows at most two edges from a to b, the shortest way; false if there is none.
+  bool follow_short_way(Index a, Index b, CorridorBuilder& builder) const {
+    const Index edge = find_halfedge(mesh_, a, b);
+    if (edge != kNone) {
+      builder.follow_edge(edge);
+      return true;
+    }
+    std::array<Index, 2> best{kNone, kNone};
+    double best_length = kInfinity;
     Index h = mesh_.outgoing[a];
     do {
-      const Index middle = mesh_.head(h);
-      const Index on = find_halfedge(mesh_, middle, b);
+      const Index on = find_halfedge(mesh_, mesh_.head(h), b);
       if (on != kNone) {
         const double length = mesh_.halfedges[h].length + mesh_.halfedges[on].length;
-        if (length < best_length) best = {a, middle, b};
+        if (length < best_length) best = {h, on};
         best_length = std::min(best_length, length);
       }
       h = mesh_.rotated(h);
     } while (h != mesh_.outgoing[a]);
-    return best;
+    if (best[0] == kNone) return false;
+    for (const Index on : best) builder.follow_edge(on);
+    return true;
   }
 
   /// Searches along edges for the nearest of the pairs that nothing has reached. False if all have
@@ -276,12 +279,9 @@ class CoherentPaths {
   void try_neighbour(Index pair, const Trial& trial, Workspace& work, Candidate& best) const {
     CorridorBuilder builder(mesh_, work.corridor);
     follow_path(trial.from, trial.shared, builder);
-    const Index edge = find_halfedge(mesh_, trial.moved, trial.end);
-    if (edge != kNone) {
-      builder.follow_edge(edge);
-    } else if (trial.third != kNone && paths_.has(trial.third)) {
+    if (trial.third != kNone && paths_.has(trial.third)) {
       follow_path(trial.third, trial.moved, builder);
-    } else {
+    } else if (!follow_short_way(trial.moved, trial.end, builder)) {
       constexpr std::size_t kShortSearch = 32;
       const std::vector<Index> vertices = work.search.run(trial.moved, trial.end, kShortSearch);
       if (vertices.empty()) return;
