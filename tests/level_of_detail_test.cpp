@@ -114,6 +114,38 @@ TEST(Prune, KeepsLoopsAndTheLastBranch) {
   EXPECT_EQ(prune_leaf_branches(line, 100.0).edge_count(), 3U);
 }
 
+TEST(Prune, RemovesASprayThatEndsAtTheSurface) {
+  // Noise on the surface: a spur to it that splits there, where the tubes of its ends are tiny.
+  CurveSkeleton skeleton;
+  const Index root = add_node(skeleton, Vec3::Zero());
+  add_chain(skeleton, root, Vec3::UnitX(), 10);
+  add_chain(skeleton, root, -Vec3::UnitX(), 10);
+  const Index fork = add_node(skeleton, 0.98 * Vec3::UnitY(), 0.02 * kTubeMgf);
+  add_edge(skeleton, root, fork);
+  for (const double side : {-1.0, 1.0}) {
+    const Index tip = add_node(skeleton, Vec3(0.1 * side, 0.98, 0), 0.01 * kTubeMgf);
+    skeleton.radius[tip] = 0.01;
+    add_edge(skeleton, fork, tip);
+  }
+  skeleton.radius[fork] = 0.02;
+  ASSERT_EQ(leaves(skeleton), 4U);
+  const CurveSkeleton pruned = prune_leaf_branches(skeleton, 0.3);
+  EXPECT_EQ(leaves(pruned), 2U);
+  EXPECT_EQ(pruned.edge_count(), 20U);
+}
+
+TEST(Prune, TakesReachNotLength) {
+  CurveSkeleton skeleton;
+  const Index root = add_node(skeleton, Vec3::Zero());
+  add_chain(skeleton, root, Vec3::UnitX(), 10);
+  add_chain(skeleton, root, -Vec3::UnitX(), 10);
+  Index node = root;
+  for (int i = 0; i < 20; ++i) {  // four radii long, and never a quarter radius away
+    node = add_chain(skeleton, node, Vec3(0, 0.01, i % 2 == 0 ? 0.2 : -0.2), 1);
+  }
+  EXPECT_EQ(leaves(prune_leaf_branches(skeleton, 0.3)), 2U);
+}
+
 TEST(Prune, ZeroKeepsThePapersOutput) {
   CurveSkeleton skeleton;
   const Index root = add_node(skeleton, Vec3::Zero());

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <queue>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/constants.h"
@@ -33,84 +33,104 @@ inline CurveSkeleton skeleton_at_theta(const CurveSkeleton& full,
 
 namespace detail {
 
-/// Removes leaf branches in the order of their significance.
-class LeafPruner {
+/// Removes what hangs on a junction by one edge and hardly leaves the junction's ball.
+class TwigPruner {
  public:
-  explicit LeafPruner(const CurveSkeleton& skeleton)
+  explicit TwigPruner(const CurveSkeleton& skeleton)
       : skeleton_(skeleton),
         edges_(edges_of_nodes(skeleton)),
         keep_node_(skeleton.node_count(), 1),
         keep_edge_(skeleton.edge_count(), 1),
-        degree_(skeleton.node_count()) {
+        degree_(skeleton.node_count()),
+        last_visit_(skeleton.node_count(), 0) {
     for (Index n = 0; n < skeleton.node_count(); ++n) degree_[n] = to_index(edges_[n].size());
   }
 
   CurveSkeleton prune(double least_significance) {
-    for (Index n = 0; n < skeleton_.node_count(); ++n) {
-      if (degree_[n] == 1) offer(n);
-    }
-    while (!queue_.empty()) {
-      const auto [significance, tip, junction] = queue_.top();
-      if (significance >= least_significance) break;
-      queue_.pop();
-      // The branch has grown since it was offered if its junction is one no longer.
-      if (degree_[junction] < 3) {
-        offer(tip);
-      } else {
-        remove_branch(tip);
-      }
+    while (remove_twigs(least_significance)) {
     }
     return sub_skeleton(skeleton_, keep_node_, keep_edge_);
   }
 
  private:
-  using Entry = std::tuple<double, Index, Index>;  // significance, tip, junction
-
-  /// The live edge at `node` other than `from`; every node inside a branch has one.
-  Index onward(Index node, Index from) const {
-    for (const Index e : edges_[node]) {
-      if (e != from && keep_edge_[e] != 0) return e;
+  struct Twig {
+    double significance;
+    Index junction;
+    Index edge;  ///< by which it hangs on the junction
+    bool operator<(const Twig& other) const {
+      return std::tie(significance, junction, edge) <
+             std::tie(other.significance, other.junction, other.edge);
     }
-    return kNone;
+  };
+
+  /// Radius of the tube with the node's MGF, or of the node's ball if that is larger.
+  double tube_radius(Index node) const {
+    return std::max(skeleton_.node_mgf[node] / kPi, skeleton_.radius[node]);
   }
 
-  /// Follows the branch from a tip; kNone if it ends at another tip, so that nothing would be left.
-  Index junction_of(Index tip, double& length) const {
-    length = 0.0;
-    Index node = tip;
-    Index edge = kNone;
-    do {
-      edge = onward(node, edge);
-      const Index next = other_end(skeleton_, edge, node);
-      length += (skeleton_.position[next] - skeleton_.position[node]).norm();
-      node = next;
-    } while (degree_[node] == 2);
-    return degree_[node] >= 3 ? node : kNone;
+  /// How far the tube at `node` sticks out of that at `junction`, in radii of the latter.
+  double reach(Index junction, Index node) const {
+    const double radius = tube_radius(junction);
+    const double beyond = (skeleton_.position[node] - skeleton_.position[junction]).norm() +
+                          tube_radius(node) - radius;
+    return radius > 0.0 ? beyond / radius : std::numeric_limits<double>::infinity();
   }
 
-  /// Radius of the tube whose MGF a node has: half its circumference over pi.
-  double tube_radius(Index node) const { return skeleton_.node_mgf[node] / kPi; }
-
-  void offer(Index tip) {
-    double length = 0.0;
-    const Index junction = junction_of(tip, length);
-    if (junction == kNone) return;
-    const double at_junction = tube_radius(junction);
-    const double beyond = length + tube_radius(tip) - at_junction;
-    const double significance =
-        at_junction > 0.0 ? beyond / at_junction : std::numeric_limits<double>::infinity();
-    queue_.emplace(significance, tip, junction);
+  /// The furthest reach of what hangs on a junction by `edge`, whose edges it leaves in `twig_`;
+  /// infinite as soon as it is seen to be `enough`, or a loop.
+  double significance(Index junction, Index edge, double enough) {
+    constexpr double kStays = std::numeric_limits<double>::infinity();
+    double furthest = -kStays;
+    twig_.assign(1, edge);
+    front_.assign(1, {other_end(skeleton_, edge, junction), edge});
+    last_visit_[junction] = ++visit_;
+    while (!front_.empty()) {
+      const auto [node, arriving] = front_.back();
+      front_.pop_back();
+      if (last_visit_[node] == visit_) return kStays;
+      last_visit_[node] = visit_;
+      furthest = std::max(furthest, reach(junction, node));
+      if (furthest >= enough) return kStays;
+      for (const Index e : edges_[node]) {
+        if (e == arriving || keep_edge_[e] == 0) continue;
+        front_.emplace_back(other_end(skeleton_, e, node), e);
+        twig_.push_back(e);
+      }
+    }
+    return furthest;
   }
 
-  void remove_branch(Index tip) {
-    Index node = tip;
-    while (degree_[node] == 1) {
-      const Index edge = onward(node, kNone);
-      keep_edge_[edge] = 0;
-      keep_node_[node] = 0;
-      node = other_end(skeleton_, edge, node);
-      --degree_[node];
-      if (degree_[node] >= 2) break;
+  /// Removes twigs, the least significant first, as long as their junctions are junctions. Returns
+  /// whether there was one: what is left may then hang on another junction.
+  bool remove_twigs(double least_significance) {
+    std::vector<Twig> twigs;
+    for (Index junction = 0; junction < skeleton_.node_count(); ++junction) {
+      if (degree_[junction] < 3) continue;
+      for (const Index edge : edges_[junction]) {
+        if (keep_edge_[edge] == 0) continue;
+        const double significant = significance(junction, edge, least_significance);
+        if (significant < least_significance) twigs.push_back({significant, junction, edge});
+      }
+    }
+    std::sort(twigs.begin(), twigs.end());
+    bool removed = false;
+    for (const Twig& twig : twigs) {
+      if (keep_edge_[twig.edge] == 0 || degree_[twig.junction] < 3) continue;
+      significance(twig.junction, twig.edge, least_significance);  // for what is left of it
+      remove(twig.junction);
+      removed = true;
+    }
+    return removed;
+  }
+
+  /// Removes the edges of `twig_` and all their nodes but the junction.
+  void remove(Index junction) {
+    for (const Index e : twig_) {
+      keep_edge_[e] = 0;
+      for (const Index node : skeleton_.edge[e]) {
+        --degree_[node];
+        if (node != junction) keep_node_[node] = 0;
+      }
     }
   }
 
@@ -119,19 +139,23 @@ class LeafPruner {
   std::vector<char> keep_node_;
   std::vector<char> keep_edge_;
   std::vector<Index> degree_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::vector<Index> last_visit_;
+  Index visit_ = 0;
+  std::vector<Index> twig_;
+  std::vector<std::pair<Index, Index>> front_;  ///< nodes to visit, with the edge they come from
 };
 
 }  // namespace detail
 
-/// Drops leaf branches that stick out of their junction's tube by less than `least_significance`
-/// times its radius, the least significant first; two branches left at a junction become one, which
-/// is judged anew. Significance is (length + ρ(tip) − ρ(junction)) / ρ(junction) with ρ = MGF / π,
-/// so it has no unit. Loops, and the branches of a skeleton without a junction, stay. 0 drops
-/// nothing of positive significance. n log n.
+/// Drops what hangs on a junction j by one edge, a leaf branch or a tree of them, and sticks out of
+/// the tube there by less than `least_significance` times its radius ρ(j): for all of its nodes x
+/// (|x − j| + ρ(x) − ρ(j)) / ρ(j) is less, where ρ is the larger of MGF / π and the radius of the
+/// node's ball. So it has no unit. The least significant goes first; two branches left at a
+/// junction become one, and what is left is judged anew. Loops, and a path between two tips, stay.
+/// 0 drops nothing. Each junction looks at the nodes within its reach.
 inline CurveSkeleton prune_leaf_branches(const CurveSkeleton& skeleton, double least_significance) {
   if (least_significance <= 0.0) return skeleton;
-  return detail::LeafPruner(skeleton).prune(least_significance);
+  return detail::TwigPruner(skeleton).prune(least_significance);
 }
 
 }  // namespace mgf

@@ -33,8 +33,8 @@ inline constexpr double kStrictestTheta = -1.1;
 
 /// Which edges make the skeleton, and how it is shown.
 struct SkeletonOptions {
-  double theta = -0.7;  ///< divergence threshold of the marking, in [-1.1, 0]; smaller: less detail
-  double prune = 0.3;   ///< leaf branches less significant than this are dropped; 0: none
+  double theta = -0.8;  ///< divergence threshold of the marking, in [-1.1, 0]; smaller: less detail
+  double prune = 0.3;   ///< what sticks out of a junction by less is dropped; 0: nothing
   MarkingRule marking_rule = MarkingRule::kAll;
   bool open_pockets = false;  ///< open a closed pocket of the medial axis at its lowest MGF
   unsigned threads = 0;       ///< 0: all; the result is the same for any number

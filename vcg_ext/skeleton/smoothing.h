@@ -22,9 +22,9 @@ namespace mgf {
 
 /// How smooth, and how near to the raw skeleton.
 struct SmoothingOptions {
-  double step = 0.25;                    ///< between nodes along a branch, in local radii
+  double step = 0.2;                     ///< between nodes along a branch, in local radii
   double max_shift = 0.5;                ///< of a point from its raw place, in local radii
-  double max_turning = 5.0 / 180 * kPi;  ///< mean angle between segments to aim at, radians
+  double max_turning = 4.0 / 180 * kPi;  ///< mean angle between segments to aim at, radians
 };
 
 /// The smooth skeleton: a graph with the branches of the raw one, evenly resampled.
@@ -41,10 +41,10 @@ struct SmoothSkeleton : CurveSkeleton {
 namespace smoothing {
 
 /// Rounds of stiffening (each doubling the smoothing length) and of yielding to constraints.
-inline constexpr int kStiffenings = 3;
+inline constexpr int kStiffenings = 4;
 inline constexpr int kYieldings = 10;
 /// First smoothing length in local radii: waves shorter than about six times this are damped.
-inline constexpr double kSmoothingLength = 0.5;
+inline constexpr double kSmoothingLength = 0.25;
 
 /// Sum of the angles between consecutive segments, and their number.
 struct Turning {
