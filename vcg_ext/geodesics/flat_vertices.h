@@ -79,7 +79,7 @@ class FlatVertexRemoval {
   /// Height over longest side.
   double shape(const Triangle& t) const {
     double longest = 0.0;
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       longest =
           std::max(longest, (fine_.points[t[i]] - fine_.points[t[(i + 1) % 3]]).squaredNorm());
     }
@@ -175,7 +175,7 @@ class FlatVertexRemoval {
       const double area = n.squaredNorm();
       double depth = -1e3 * std::abs(n.dot(place - fine_.points[c[0]])) / area * n.norm();
       double inside = 1.0;
-      for (int i = 0; i < 3; ++i) {
+      for (std::size_t i = 0; i < 3; ++i) {
         const Vec3& q = fine_.points[c[(i + 1) % 3]];
         const Vec3& r = fine_.points[c[(i + 2) % 3]];
         inside = std::min(inside, (r - q).cross(place - q).dot(n) / area);

@@ -24,9 +24,10 @@ inline SurfacePlace place_of_vertex(const HalfedgeMesh& mesh, Index v) {
 
 /// The point at `position`, which lies in triangle t.
 inline SurfacePlace place_in_triangle(const HalfedgeMesh& mesh, Index t, const Vec3& position) {
-  const Vec3& tail = mesh.points[mesh.tail(3 * t)];
-  const Vec3 along = (mesh.points[mesh.head(3 * t)] - tail) / mesh.halfedges[3 * t].length;
-  const Vec3 arm = mesh.points[mesh.apex(3 * t)] - tail;
+  const Index first = 3 * t;
+  const Vec3& tail = mesh.points[mesh.tail(first)];
+  const Vec3 along = (mesh.points[mesh.head(first)] - tail) / mesh.halfedges[first].length;
+  const Vec3 arm = mesh.points[mesh.apex(first)] - tail;
   const Vec3 across = (arm - along * along.dot(arm)).normalized();
   return {kNone, t, {along.dot(position - tail), across.dot(position - tail)}, position};
 }
