@@ -165,6 +165,25 @@ TEST(GeodesicsExactness, VertexFiltersChangeNothing) {
   }
 }
 
+TEST(GeodesicsExactness, TheTightestBoundStillFindsTheTarget) {
+  // One target at a time, bounded by its own distance: nothing on the way may be dropped.
+  const TriangleSurface rough = bumpy_sphere(3, 0.25, 11);
+  const HalfedgeMesh mesh = make_halfedge_mesh(rough);
+  std::vector<PropagationTarget> targets;
+  for (Index v = 1; v < mesh.vertex_count(); ++v) {
+    targets.push_back({place_of_vertex(mesh, v), std::numeric_limits<double>::infinity()});
+  }
+  WindowPropagation plain(mesh, {true, false, false});
+  ASSERT_TRUE(plain.run(place_of_vertex(mesh, 0), targets));
+  WindowPropagation pruned(mesh);
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    PropagationTarget target = targets[i];
+    target.bound = plain.distance(i);
+    ASSERT_TRUE(pruned.run(place_of_vertex(mesh, 0), {target}));
+    EXPECT_NEAR(pruned.distance(0), plain.distance(i), 1e-12 * plain.distance(i));
+  }
+}
+
 TEST(GeodesicsExactness, SkippingFlatVerticesChangesNothing) {
   const TriangleSurface fine = midpoint_subdivided(midpoint_subdivided(bumpy_sphere(1, 0.4, 3)));
   const HalfedgeMesh mesh = make_halfedge_mesh(fine);
@@ -172,7 +191,7 @@ TEST(GeodesicsExactness, SkippingFlatVerticesChangesNothing) {
   const std::vector<VertexPair> pairs = random_pairs(fine, 3000, 6);
   PairPaths with(pairs.size());
   const std::vector<std::array<Index, 3>> no_links;
-  CoherentPaths(mesh, pairs, no_links, 1, with).run({});
+  CoherentPaths(mesh, pairs, no_links, ShorteningEffort::kFull, 1, with).run({});
   PairPaths without = with;
   PathCertificate(fine, mesh, pairs, 1, {PropagationPruning{}, true}, with).run(1, {});
   PathCertificate(fine, mesh, pairs, 1, {PropagationPruning{}, false}, without).run(1, {});

@@ -36,10 +36,12 @@ namespace mgf {
 class CoherentPaths {
  public:
   CoherentPaths(const HalfedgeMesh& mesh, const std::vector<VertexPair>& pairs,
-                const std::vector<std::array<Index, 3>>& links, unsigned threads, PairPaths& paths)
+                const std::vector<std::array<Index, 3>>& links, ShorteningEffort effort,
+                unsigned threads, PairPaths& paths)
       : mesh_(mesh),
         pairs_(pairs),
         links_(links),
+        effort_(effort),
         threads_(thread_count(threads)),
         paths_(paths),
         tangents_(pairs.size()),
@@ -88,7 +90,8 @@ class CoherentPaths {
     }
   };
   struct Workspace {
-    explicit Workspace(const HalfedgeMesh& mesh) : search(mesh), shortener(mesh) {}
+    Workspace(const HalfedgeMesh& mesh, ShorteningEffort effort)
+        : search(mesh), shortener(mesh, effort) {}
     EdgeSearch search;
     PathShortener shortener;
     std::vector<Trial> trials;
@@ -102,7 +105,7 @@ class CoherentPaths {
   };
 
   Workspace& workspace(unsigned worker) {
-    if (!workspaces_[worker]) workspaces_[worker] = std::make_unique<Workspace>(mesh_);
+    if (!workspaces_[worker]) workspaces_[worker] = std::make_unique<Workspace>(mesh_, effort_);
     return *workspaces_[worker];
   }
 
@@ -282,10 +285,7 @@ class CoherentPaths {
     if (trial.third != kNone && paths_.has(trial.third)) {
       follow_path(trial.third, trial.moved, builder);
     } else if (!follow_short_way(trial.moved, trial.end, builder)) {
-      constexpr std::size_t kShortSearch = 32;
-      const std::vector<Index> vertices = work.search.run(trial.moved, trial.end, kShortSearch);
-      if (vertices.empty()) return;
-      follow_vertices(vertices, builder);
+      return;  // there will be a way when the third pair has a path
     }
     try_corridor({trial.shared, trial.end}, pair, work, best);
   }
@@ -352,6 +352,7 @@ class CoherentPaths {
   const HalfedgeMesh& mesh_;
   const std::vector<VertexPair>& pairs_;
   const std::vector<std::array<Index, 3>>& links_;
+  ShorteningEffort effort_;
   unsigned threads_;
   Rows<Index> pair_links_;  ///< one row per pair: the links that it is in
   PairPaths& paths_;

@@ -76,9 +76,13 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
   const SpatialNumbering question(surface, pairs, links);
   const HalfedgeMesh mesh = make_halfedge_mesh(question.surface());
   PairPaths paths(pairs.size());
-  CoherentPaths carrier(mesh, question.pairs(), question.links(), options.threads, paths);
+  const bool is_proving = options.wanted != Certification::kUnproven;
+  // What is to be proven needs but a bound before: half an edge too long costs next to nothing.
+  CoherentPaths carrier(mesh, question.pairs(), question.links(),
+                        is_proving ? ShorteningEffort::kRough : ShorteningEffort::kFull,
+                        options.threads, paths);
   carrier.run(progress.slice(0.0, 0.3));
-  if (options.wanted != Certification::kUnproven) {
+  if (is_proving) {
     PathCertificate certificate(question.surface(), mesh, question.pairs(), options.threads,
                                 CertificateOptions{}, paths);
     // What a sample of the searches repairs is carried on first: paths of a wrong class come in

@@ -34,6 +34,7 @@ namespace detail {
 /// The surface that searches run on, with each vertex of the fine surface located on it.
 struct SearchSurface {
   HalfedgeMesh mesh;
+  bool is_fine = true;               ///< `mesh` is the fine surface itself
   std::vector<SurfacePlace> places;  ///< one per vertex of the fine surface
   std::vector<Index> fine_vertex;    ///< one per vertex of `mesh`: its number on the fine surface
   Rows<Index> parts;                 ///< one row per triangle of `mesh`: fine triangles in it
@@ -41,8 +42,11 @@ struct SearchSurface {
 
 inline SearchSurface make_search_surface(const TriangleSurface& fine, bool skip_flat_vertices) {
   SearchSurface search;
-  if (skip_flat_vertices) {
-    const CoarseSurface coarse = without_flat_vertices(fine);
+  const CoarseSurface coarse = skip_flat_vertices ? without_flat_vertices(fine) : CoarseSurface{};
+  constexpr double kWorthIt = 0.9;  // paths on a coarse surface have to be found again on the fine
+  if (skip_flat_vertices && static_cast<double>(coarse.surface.points.size()) <
+                                kWorthIt * static_cast<double>(fine.points.size())) {
+    search.is_fine = false;
     search.mesh = make_halfedge_mesh(coarse.surface);
     search.places = places_on_coarse(fine, coarse, search.mesh);
     search.fine_vertex.resize(coarse.surface.points.size());
@@ -85,15 +89,9 @@ class Certifier {
       proving_targets_.push_back({search_.places[end_of(id)], paths.length[id]});
     }
     proving_start_ = search_.places[start];
-    if (!proving_.run(proving_start_, proving_targets_)) return;
+    const bool is_complete = proving_.run(proving_start_, proving_targets_);
     for (std::size_t slot = 0; slot < served.size(); ++slot) {
-      const Index id = served[slot];
-      const double found = proving_.distance(slot);
-      if (agree(found, paths.length[id])) {
-        paths.certification[id] = verdict();
-      } else if (found < paths.length[id]) {
-        repair(start, slot, id, pairs[id], paths);
-      }
+      settle(start, slot, served[slot], pairs[served[slot]], is_complete, paths);
     }
   }
 
@@ -111,27 +109,47 @@ class Certifier {
     return std::abs(found - length) <= kRounding * length;
   }
 
-  /// Finds the shorter path that the last search proved to exist on the surface itself: first in
-  /// the triangles about its corridor, then, should that fail, anywhere.
-  void repair(Index start, std::size_t slot, Index id, const VertexPair& pair, PairPaths& paths) {
+  /// Gives a pair the path that the last search found, in certain knowledge if the search was
+  /// complete.
+  void settle(Index start, std::size_t slot, Index id, const VertexPair& pair, bool is_complete,
+              PairPaths& paths) {
+    const double found = proving_.distance(slot);
+    const double known = paths.length[id];
+    if (search_.is_fine && found < known) take(start, pair, proving_, slot, paths.corridor[id]);
+    double length = shortener_.shorten(pair.a, pair.b, paths.corridor[id]);
+    if (!agree(found, length) && found < length && look_up(start, slot, pair)) {
+      std::vector<Index> corridor;
+      take(start, pair, searching_, 0, corridor);
+      const double shorter = shortener_.shorten(pair.a, pair.b, corridor);
+      if (shorter < length) {
+        length = shorter;
+        paths.corridor[id] = std::move(corridor);
+      }
+    }
+    paths.length[id] = length;
+    if (is_complete && agree(found, length)) paths.certification[id] = verdict();
+    if (length < known - 0.5 * mesh_.mean_edge) improved_.push_back(id);
+  }
+
+  /// The corridor of the path that a search on the surface itself found, from the pair's first end.
+  void take(Index start, const VertexPair& pair, const WindowPropagation& search, std::size_t slot,
+            std::vector<Index>& corridor) const {
+    corridor = corridor_of_pieces(mesh_, search.pieces(slot));
+    if (start != pair.a) corridor = reversed_corridor(mesh_, corridor);
+  }
+
+  /// Looks on the surface itself for the path that the last search proved to exist: first in the
+  /// triangles about its corridor, then, should that fail, anywhere.
+  bool look_up(Index start, std::size_t slot, const VertexPair& pair) {
     const double found = proving_.distance(slot);
     const Index end = pair.a == start ? pair.b : pair.a;
     targets_.assign(1, {place_of_vertex(mesh_, end), found * (1.0 + 1e-9)});
     allow_corridor(slot);
     searching_.keep_to(&allowed_);
-    bool is_found = search_for(start, found);
+    const bool is_found = search_for(start, found);
     for (const Index t : opened_) allowed_[t] = 0;
     searching_.keep_to(nullptr);
-    if (!is_found) search_for(start, found);
-    if (!(searching_.distance(0) < paths.length[id])) return;
-    std::vector<Index> corridor = corridor_of_pieces(mesh_, searching_.pieces(0));
-    if (start != pair.a) corridor = reversed_corridor(mesh_, corridor);
-    const double length = shortener_.shorten(pair.a, pair.b, corridor);
-    if (!(length < paths.length[id])) return;
-    paths.length[id] = length;
-    paths.corridor[id] = std::move(corridor);
-    if (agree(found, length)) paths.certification[id] = verdict();
-    improved_.push_back(id);
+    return is_found || search_for(start, found);
   }
 
   bool search_for(Index start, double length) {

@@ -13,22 +13,34 @@
 
 namespace mgf {
 
+/// How far a path is shortened.
+enum class ShorteningEffort {
+  kRough,  ///< a few passes over its bends: near a locally shortest path, for a bound
+  kFull,   ///< until it is locally shortest, trying the ways round convex vertices, too
+};
+
 /// Shortens paths on one mesh; keeps its memory between calls.
 class PathShortener {
  public:
-  explicit PathShortener(const HalfedgeMesh& mesh)
-      : mesh_(mesh), best_(mesh), other_way_(mesh), flipped_(mesh) {}
+  explicit PathShortener(const HalfedgeMesh& mesh,
+                         ShorteningEffort effort = ShorteningEffort::kFull)
+      : mesh_(mesh),
+        most_flips_(effort == ShorteningEffort::kFull ? kMostPasses : 2),
+        most_peaks_(effort == ShorteningEffort::kFull ? kMostPasses : 0),
+        best_(mesh),
+        other_way_(mesh),
+        flipped_(mesh) {}
 
   /// Makes `corridor` from a to b one whose shortest path is locally shortest on the surface, and
-  /// returns that path's length. Where the path bends at a vertex with less than a half turn on the
-  /// far side, the corridor is led past the vertex there; and past a convex vertex close by where
-  /// the way round its far side is shorter.
+  /// returns that path's length (or near to it, with little effort). Where the path bends at a
+  /// vertex with less than a half turn on the far side, the corridor is led past the vertex there;
+  /// and past a convex vertex close by where the way round its far side is shorter.
   double shorten(Index a, Index b, std::vector<Index>& corridor) {
     trim_corridor(mesh_, a, b, corridor);
     best_.corridor.swap(corridor);
     best_.length = best_.funnel.straighten(a, b, best_.corridor);
     flip_all(a, b, best_);
-    for (int pass = 0; pass < kMostPasses && lead_round_peak(best_, other_way_.corridor); ++pass) {
+    for (int pass = 0; pass < most_peaks_ && lead_round_peak(best_, other_way_.corridor); ++pass) {
       straighten_like(a, b, best_, other_way_);
       flip_all(a, b, other_way_);
       if (!(other_way_.length < best_.length * (1.0 - kLeastGain))) break;
@@ -52,7 +64,7 @@ class PathShortener {
 
   /// Flips bends until none gains by it.
   void flip_all(Index a, Index b, Strip& strip) {
-    for (int pass = 0; pass < kMostPasses && flip_bends(strip, flipped_.corridor); ++pass) {
+    for (int pass = 0; pass < most_flips_ && flip_bends(strip, flipped_.corridor); ++pass) {
       straighten_like(a, b, strip, flipped_);
       if (!(flipped_.length < strip.length * (1.0 - kLeastGain))) break;
       std::swap(strip, flipped_);
@@ -176,6 +188,8 @@ class PathShortener {
   static constexpr double kLeastTurn = 1e-10;  ///< smaller turns are rounding
 
   const HalfedgeMesh& mesh_;
+  int most_flips_;  ///< passes over the bends
+  int most_peaks_;  ///< convex vertices to be led round
   Strip best_;
   Strip other_way_;  ///< round a peak
   Strip flipped_;    ///< with some vertices passed on the other side
