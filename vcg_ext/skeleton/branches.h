@@ -36,7 +36,7 @@ struct Branch {
   double radius_min = 0.0, radius_mean = 0.0, radius_max = 0.0;
   double girth_min = 0.0, girth_mean = 0.0, girth_max = 0.0;
   double eccentricity_median = 0.0;  ///< weighted by length
-  bool tubular = false;              ///< `eccentricity_median` below the threshold
+  bool tubular = false;              ///< half of its own surface or more is labelled so
   double area_share = 0.0;           ///< of the input surface that belongs to it, in [0, 1]
   double tubular_share = 0.0;        ///< of its own surface labelled tubular, in [0, 1]
   std::vector<Index> nodes;          ///< from `first_node` to `last_node`

@@ -14,7 +14,8 @@ namespace mgf {
 
 /// `graph` with `area_share`, `tubular_share` and `tubular` filled in: the area that the map gives
 /// each branch over that of all of `input`, how much of it the segmentation calls tubular, and
-/// whether `eccentricity_median` is below `eccentricity_threshold`. Linear time.
+/// whether that is half of it or more. A branch without surface of its own is tubular if its
+/// `eccentricity_median` is below `eccentricity_threshold`. Linear time.
 inline BranchGraph with_surface_measures(BranchGraph graph, const TriangleSurface& input,
                                          const SurfaceMap& map, const Segmentation& segmentation,
                                          double eccentricity_threshold) {
@@ -35,8 +36,9 @@ inline BranchGraph with_surface_measures(BranchGraph graph, const TriangleSurfac
     Branch& branch = graph.branches[b];
     branch.area_share = total > 0.0 ? area[b] / total : 0.0;
     branch.tubular_share = area[b] > 0.0 ? tubular_area[b] / area[b] : 0.0;
-    branch.tubular =
-        branch.eccentricity_median > 0.0 && branch.eccentricity_median < eccentricity_threshold;
+    branch.tubular = area[b] > 0.0 ? branch.tubular_share >= 0.5
+                                   : branch.eccentricity_median > 0.0 &&
+                                         branch.eccentricity_median < eccentricity_threshold;
   }
   return graph;
 }

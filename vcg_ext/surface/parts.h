@@ -3,10 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/surface/border_relaxation.h"
 #include "vcg_ext/surface/face_flood.h"
 #include "vcg_ext/surface/face_pieces.h"
 
@@ -53,19 +56,63 @@ inline std::vector<Index> largest_pieces(const FaceGraph& faces, std::vector<Ind
   return label;
 }
 
+/// At each face the mean radius of its circles, elsewhere that of the nearest face with circles; 0
+/// where there is none.
+inline std::vector<double> radii_at_faces(const FaceGraph& faces,
+                                          const Rows<Index>& circles_on_face,
+                                          const std::vector<double>& circle_radius) {
+  std::vector<double> radius(faces.face_count(), 0.0);
+  std::vector<Index> seeds(faces.face_count(), kNone);
+  for (Index f = 0; f < seeds.size(); ++f) {
+    const Row<Index> circles = circles_on_face[f];
+    if (circles.empty()) continue;
+    for (const Index circle : circles) radius[f] += circle_radius[circle];
+    radius[f] /= static_cast<double>(circles.size());
+    seeds[f] = f;
+  }
+  const std::vector<Index> nearest = flood_faces(faces, seeds).label;
+  for (Index f = 0; f < seeds.size(); ++f) {
+    if (nearest[f] != kNone) radius[f] = radius[nearest[f]];
+  }
+  return radius;
+}
+
+/// Up to which size steps of a border near each face are levelled: a share of the local radius, so
+/// that no limb is lost, and a few faces, which is what makes the steps.
+inline std::vector<double> border_reach(const FaceGraph& faces, const Rows<Index>& circles_on_face,
+                                        const std::vector<double>& circle_radius) {
+  constexpr double kOfRadius = 0.5;
+  constexpr double kOfFaceSize = 10.0;
+  std::vector<double> reach = radii_at_faces(faces, circles_on_face, circle_radius);
+  for (Index f = 0; f < reach.size(); ++f) {
+    reach[f] = std::min(kOfRadius * reach[f], kOfFaceSize * std::sqrt(faces.area[f]));
+  }
+  return reach;
+}
+
+/// Each label's largest piece, and the rest as the nearest of them.
+inline std::vector<Index> connected_parts(const FaceGraph& faces, std::vector<Index> label) {
+  return flood_faces(faces, largest_pieces(faces, std::move(label))).label;
+}
+
 }  // namespace parting
 
 /// The branch that each face belongs to: the owner of most of the geodesic circles through it,
 /// elsewhere that of the nearest face with circles. The part of a branch is connected: its smaller
 /// pieces go to their neighbours; a branch whose faces have all gone to others has none. Borders
-/// run where the circles of different owners meet and are free of single teeth. `circles_on_face`
-/// has a row per face, `owner_of_circle` an entry per circle. A face on a component without circles
-/// gets kNone. Cost: O(n log n).
+/// run where the circles of different owners meet, without steps below a share of the local radius.
+/// `circles_on_face` has a row per face; `owner_of_circle` and `circle_radius` (rho = MGF / pi) an
+/// entry per circle. A face on a component without circles gets kNone. Cost: O(n log n), and the
+/// patches of `relax_borders`.
 inline std::vector<Index> cut_into_parts(const FaceGraph& faces, const Rows<Index>& circles_on_face,
-                                         const std::vector<Index>& owner_of_circle) {
+                                         const std::vector<Index>& owner_of_circle,
+                                         const std::vector<double>& circle_radius,
+                                         unsigned threads = 0) {
   const std::vector<Index> seeds = parting::majority_owners(circles_on_face, owner_of_circle);
-  const std::vector<Index> nearest = flood_faces(faces, seeds).label;
-  std::vector<Index> part = flood_faces(faces, parting::largest_pieces(faces, nearest)).label;
+  std::vector<Index> part = parting::connected_parts(faces, flood_faces(faces, seeds).label);
+  relax_borders(faces, parting::border_reach(faces, circles_on_face, circle_radius),
+                thread_count(threads), part);
+  part = parting::connected_parts(faces, std::move(part));
   straighten_borders(faces, part);
   return part;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/input/refined_surface.h"
 #include "vcg_ext/skeleton/branch_chains.h"
@@ -169,8 +170,10 @@ inline SurfaceMap map_surface(const TriangleSurface& input, const RefinedSurface
   const FaceGraph faces = build_face_graph(input);
   const Rows<Index> circles_on_face =
       items_on_input_faces(circles.faces, refined.parent_face, faces.face_count());
+  std::vector<double> circle_radius;
+  for (const double mgf : skeleton.mgf) circle_radius.push_back(mgf / kPi);
   const std::vector<Index> part =
-      cut_into_parts(faces, circles_on_face, owning_branches(skeleton, graph));
+      cut_into_parts(faces, circles_on_face, owning_branches(skeleton, graph), circle_radius);
   const std::vector<surface_mapping::PlacedEdge> placed =
       surface_mapping::place_edges(skeleton, graph);
   const std::vector<Index> face_edge =
