@@ -139,14 +139,14 @@ inline Finding make_finding(const std::string& code, Severity severity, std::siz
   for (const FindingText& text : kFindingTexts) {
     if (text.code != code || text.severity != severity) continue;
     const std::string many = text.many;
-    const std::string first = many.empty() ? std::string(text.one)
-                              : count == 1 ? "1 " + std::string(text.one)
-                                           : std::to_string(count) + " " + many;
-    const std::string meaning = text.meaning;
+    std::string meaning = many.empty() ? std::string(text.one)
+                          : count == 1 ? "1 " + std::string(text.one)
+                                       : std::to_string(count) + " " + many;
+    if (*text.meaning != '\0') meaning.append(" ").append(text.meaning);
     return {code,
             severity,
             count,
-            meaning.empty() ? first : first + " " + meaning,
+            std::move(meaning),
             text.remedy,
             std::move(faces),
             std::move(vertices)};

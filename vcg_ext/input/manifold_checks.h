@@ -92,12 +92,13 @@ inline std::vector<Index> faces_to_turn(const std::vector<Triangle>& triangles,
     for (std::size_t i = 0; i < piece.size(); ++i) {
       for (const Index l : links_of[piece[i]]) {
         if (turned[links[l].face] != kUnseen) continue;
-        turned[links[l].face] = links[l].same_way ? turned[piece[i]] : 1 - turned[piece[i]];
+        const bool turn = (turned[piece[i]] != 0) == links[l].same_way;
+        turned[links[l].face] = turn ? 1 : 0;
         piece.push_back(links[l].face);
       }
     }
     std::array<std::vector<Index>, 2> sides;
-    for (const Index f : piece) sides[static_cast<std::size_t>(turned[f])].push_back(f);
+    for (const Index f : piece) sides[turned[f] != 0 ? 1 : 0].push_back(f);
     const std::vector<Index>& fewer = sides[sides[1].size() <= sides[0].size() ? 1 : 0];
     result.insert(result.end(), fewer.begin(), fewer.end());
   }

@@ -62,8 +62,9 @@ class ChannelFinder {
   Channel find(const SegmentObstacle& segment) {
     Channel channel;
     start(mesh_.star(segment.a));
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-      const Index t = queue_[next];
+    std::size_t next = 0;
+    while (next < queue_.size()) {  // it grows meanwhile
+      const Index t = queue_[next++];
       bool touched = false;
       for (unsigned i = 0; i < 4; ++i) {
         const Triangle face = face_of(mesh_.corners(t), i);
@@ -93,8 +94,9 @@ class ChannelFinder {
       const Index t = mesh_.find_edge(a, b);
       if (t != kNone) enqueue_ring(t, a, b);
     }
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-      const Index t = queue_[next];
+    std::size_t next = 0;
+    while (next < queue_.size()) {  // it grows meanwhile
+      const Index t = queue_[next++];
       const Tetrahedron corners = mesh_.corners(t);
       bool pierced = false;
       for (unsigned i = 0; i < 4; ++i) {

@@ -169,7 +169,9 @@ inline std::vector<Index> number_cells(const InteriorTetrahedra& interior, Index
   const std::size_t corner_count = 4 * interior.tetrahedra.size();
   DisjointSets stars(corner_count);
   std::vector<char> on_boundary(corner_count, 0);
-  const auto corner_number = [](Index t, std::size_t i) { return to_index(4 * t + i); };
+  const auto corner_number = [](Index t, std::size_t i) {
+    return to_index(std::size_t{4} * t + i);
+  };
   for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
     for (std::size_t i = 0; i < 4; ++i) {
       const Index u = interior.neighbours[t][i];
@@ -204,8 +206,9 @@ inline void attach_cells(const InteriorTetrahedra& interior, MedialComplex& comp
     const Index t = complex.facet_vertices[f].front();
     const Tetrahedron& corners = interior.tetrahedra[t];
     const VertexPair& contacts = complex.facet_contacts[f];
-    complex.facet_cells[f] = {cell_of[4 * t + local_corner(corners, contacts.a)],
-                              cell_of[4 * t + local_corner(corners, contacts.b)]};
+    const std::size_t first = std::size_t{4} * t;  // number of t's first corner
+    complex.facet_cells[f] = {cell_of[first + local_corner(corners, contacts.a)],
+                              cell_of[first + local_corner(corners, contacts.b)]};
   }
 }
 

@@ -61,7 +61,8 @@ inline std::vector<double> divergence_scores(const MedialComplex& complex,
                                                        points[dual[(i + 2) % 3]], points[dual[i]]);
       const Vec3& gradient = field.gradient[facet];
       const bool defined = !normal.isZero(0.0) && !gradient.isZero(0.0);
-      const double inflow = defined ? gradient.dot(normal) : kUnmarkable;
+      double inflow = kUnmarkable;
+      if (defined) inflow = gradient.dot(normal);
       largest = std::max(largest, inflow);
     }
     if (facets >= 2) score[e] = largest;
