@@ -124,6 +124,53 @@ TEST(Recovery, DoesNotDependOnTheNumberingOfVertices) {
   }
 }
 
+TEST(Recovery, TurnsWithTheShape) {
+  // All corners shaken apart: no four cocircular, so that there is one Delaunay tetrahedralisation.
+  TriangleSurface surface = squeezed(fixtures::torus(24, 10, 1.0, 0.3));
+  Random random(9);
+  for (Vec3& p : surface.points) {
+    p += 1e-6 * Vec3(random.below(1000), random.below(1000), 0.1 * random.below(1000));
+  }
+  const InteriorTetrahedra first = recover_interior(surface, {});
+  EXPECT_GT(first.certificate.surface_flips, 0U);
+  for (const double angle : {0.4, 1.3, 2.9}) {
+    const InteriorTetrahedra turned =
+        recover_interior(fixtures::rotated(surface, angle, Vec3(1, 2, 3)), {});
+    EXPECT_EQ(first.tetrahedra, turned.tetrahedra) << angle;
+    EXPECT_EQ(first.neighbours, turned.neighbours) << angle;
+  }
+}
+
+TEST(Recovery, DoesNotDependOnTheNumberOfThreads) {
+  const TriangleSurface surface = squeezed(fixtures::torus(24, 10, 1.0, 0.3));
+  RecoveryOptions options;
+  options.threads = 1;
+  const InteriorTetrahedra one = recover_interior(surface, options);
+  options.threads = 3;
+  const InteriorTetrahedra three = recover_interior(surface, options);
+  EXPECT_EQ(one.tetrahedra, three.tetrahedra);
+  EXPECT_EQ(one.certificate.betti, three.certificate.betti);
+  EXPECT_EQ(one.certificate.topology, three.certificate.topology);
+}
+
+TEST(Recovery, GivesAnHonestResultWhenItsBoundsDontDo) {
+  const TriangleSurface surface = squeezed(fixtures::torus(40, 16, 1.0, 0.3));
+  const OrderedSurface ordered = in_spatial_order(surface);
+  const BettiNumbers expected = expected_betti_numbers(surface);
+  // No flips of the surface, no recursive removals, no added point.
+  const RecoveredMesh recovered =
+      attempt_recovery(boxed(ordered), {1, 0, 0.0, 0, false, false}, {});
+  ASSERT_FALSE(recovered.complete);
+  const InteriorTetrahedra interior =
+      choose_interior(recovered, ordered, surface, expected, true, 1);
+  EXPECT_NE(interior.certificate.topology, TopologyVerdict::kProven);
+  EXPECT_GT(interior.certificate.boundary_faces_missing, 0U);
+  EXPECT_EQ(interior.certificate.topology == TopologyVerdict::kCounted,
+            interior.certificate.betti == expected);
+  // Inside by rays: what is missing are slivers.
+  EXPECT_NEAR(volume(interior), signed_volume(surface), 0.05 * signed_volume(surface));
+}
+
 TEST(Recovery, IsTheSameInEveryRun) {
   const TriangleSurface surface = squeezed(fixtures::torus(24, 10, 1.0, 0.3));
   const InteriorTetrahedra first = recover_interior(surface, {});

@@ -108,7 +108,7 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   axis.surface = added.empty() ? sampled : insert_points(sampled, added);
   axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
   axis.complex = build_medial_complex(axis.interior);
-  place_voronoi_vertices(axis.interior, axis.complex);
+  place_voronoi_vertices(axis.interior, axis.complex, options.recovery.threads);
   const SurfaceTree tree(axis.working.surface);
   discard_vertices_outside(tree, axis.surface.surface, axis.interior, axis.complex);
   warn_of_topology(axis.interior.certificate, axis.warnings);

@@ -37,6 +37,13 @@ struct MedialAxisOptions {
   DiagnosisOptions diagnosis;
   SamplingOptions sampling;
   RecoveryOptions recovery;
+
+  /// How many threads all of that may use; 0: all.
+  void use_threads(unsigned threads) {
+    diagnosis.threads = threads;
+    sampling.threads = threads;
+    recovery.threads = threads;
+  }
 };
 
 /// The medial axis with everything it stands on.

@@ -44,6 +44,7 @@ StudyOptions study_options(const ParameterValues& values, const TriangleSurface&
   options.medial_axis = parameters::medial_axis_options(values, mesh);
   options.skeleton = parameters::skeleton_options(values);
   options.geodesics.threads = static_cast<unsigned>(values.count(parameters::threads()));
+  options.medial_axis.use_threads(options.geodesics.threads);
   return options;
 }
 

@@ -54,4 +54,10 @@ void parallel_for(std::size_t count, unsigned threads, std::size_t chunk, const 
   }
 }
 
+/// Calls both functions, at the same time if there are two threads to do so.
+template <class First, class Second>
+void parallel_both(unsigned threads, const First& first, const Second& second) {
+  parallel_for(2, threads, 1, [&](std::size_t i, unsigned) { i == 0 ? first() : second(); });
+}
+
 }  // namespace mgf

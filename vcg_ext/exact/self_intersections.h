@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/box_tree.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/triangle_predicates.h"
 
@@ -15,8 +18,10 @@ namespace mgf::exact {
 /// The pairs i < j of faces that share a point which no common corner or side accounts for, in
 /// ascending order. Exact: 0 pairs means embedded. Collinear faces are left out.
 /// Requires valid indices, finite points, and no two points of the same position.
-/// Cost: O(n log n) for a surface whose faces meet few others.
-inline std::vector<std::array<Index, 2>> self_intersections(const TriangleSurface& surface) {
+/// Cost: O(n log n) for a surface whose faces meet few others. The same for any number of
+/// `threads` (0: all).
+inline std::vector<std::array<Index, 2>> self_intersections(const TriangleSurface& surface,
+                                                            unsigned threads = 0) {
   const std::vector<Vec3>& points = surface.points;
   std::vector<Box> boxes;
   std::vector<char> degenerate;
@@ -28,13 +33,20 @@ inline std::vector<std::array<Index, 2>> self_intersections(const TriangleSurfac
   }
   std::vector<std::array<Index, 2>> pairs;
   BoxTree(std::move(boxes)).visit_meeting_pairs([&](Index i, Index j) {
-    if (degenerate[i] != 0 || degenerate[j] != 0) return;
-    if (triangles_intersect(points, surface.triangles[i], surface.triangles[j])) {
-      pairs.push_back({std::min(i, j), std::max(i, j)});
-    }
+    if (degenerate[i] == 0 && degenerate[j] == 0) pairs.push_back({std::min(i, j), std::max(i, j)});
   });
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+  constexpr std::size_t kChunk = 4096;
+  std::vector<char> meets(pairs.size(), 0);
+  parallel_for(pairs.size(), thread_count(threads), kChunk, [&](std::size_t p, unsigned) {
+    const auto [i, j] = pairs[p];
+    meets[p] = triangles_intersect(points, surface.triangles[i], surface.triangles[j]) ? 1 : 0;
+  });
+  std::vector<std::array<Index, 2>> meeting;
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (meets[p] != 0) meeting.push_back(pairs[p]);
+  }
+  std::sort(meeting.begin(), meeting.end());
+  return meeting;
 }
 
 }  // namespace mgf::exact

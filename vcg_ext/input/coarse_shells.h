@@ -20,7 +20,7 @@ namespace mgf {
 struct CoarseShells {
   Shells shells;
   std::vector<char> is_coarse;  ///< one per shell: faces coarser than the thickness make more than
-                                ///< half of its area
+                                ///< a quarter of its area
 
   bool any() const { return std::find(is_coarse.begin(), is_coarse.end(), 1) != is_coarse.end(); }
   bool has_face(Index face) const { return is_coarse[shells.of_face[face]] != 0; }
@@ -38,14 +38,14 @@ class CoarseVote {
         shells_(shells),
         coarse_(shells.shells.size(), 0.0),
         fine_(shells.shells.size(), 0.0),
-        half_(shells.shells.size(), 0.0) {
+        whole_(shells.shells.size(), 0.0) {
     area_.reserve(surface.triangles.size());
     order_.reserve(surface.triangles.size());
     for (Index f = 0; f < surface.triangles.size(); ++f) {
       const Triangle& t = surface.triangles[f];
       const Vec3& a = surface.points[t[0]];
       area_.push_back((surface.points[t[1]] - a).cross(surface.points[t[2]] - a).norm());
-      half_[shells.of_face[f]] += 0.5 * area_[f];
+      whole_[shells.of_face[f]] += area_[f];
       order_.push_back(f);
     }
     std::sort(order_.begin(), order_.end(),
@@ -54,39 +54,43 @@ class CoarseVote {
 
   std::vector<char> run(unsigned threads) {
     std::vector<Index> block;
-    std::vector<char> is_coarse;
+    std::vector<char> votes;
     for (std::size_t next = 0; next < order_.size();) {
       block.clear();
       for (; next < order_.size() && block.size() < kBlock; ++next) {
         if (!decided(shells_.of_face[order_[next]])) block.push_back(order_[next]);
       }
-      is_coarse.assign(block.size(), 0);
+      votes.assign(block.size(), 0);
       parallel_for(block.size(), threads, kChunk, [&](std::size_t i, unsigned) {
-        is_coarse[i] = is_coarser_than_thickness(surface_, tree_, block[i]) ? 1 : 0;
+        votes[i] = is_coarser_than_thickness(surface_, tree_, block[i]) ? 1 : 0;
       });
       for (std::size_t i = 0; i < block.size(); ++i) {
-        (is_coarse[i] != 0 ? coarse_ : fine_)[shells_.of_face[block[i]]] += area_[block[i]];
+        (votes[i] != 0 ? coarse_ : fine_)[shells_.of_face[block[i]]] += area_[block[i]];
       }
     }
     std::vector<char> result;
-    for (std::size_t s = 0; s < half_.size(); ++s) result.push_back(coarse_[s] > fine_[s] ? 1 : 0);
+    for (Index s = 0; s < whole_.size(); ++s) result.push_back(is_coarse(s) ? 1 : 0);
     return result;
   }
 
  private:
+  /// Below it the medial axis was sound on round limbs cut off by marching tetrahedra, above it
+  /// not; scans have less than 0.1.
+  static constexpr double kCoarseShare = 0.25;
   static constexpr std::size_t kBlock = 2048;
   static constexpr std::size_t kChunk = 64;
 
   bool decided(Index shell) const {
-    return coarse_[shell] > half_[shell] || fine_[shell] > half_[shell];
+    return is_coarse(shell) || fine_[shell] > (1.0 - kCoarseShare) * whole_[shell];
   }
+  bool is_coarse(Index shell) const { return coarse_[shell] > kCoarseShare * whole_[shell]; }
 
   const TriangleSurface& surface_;
   const SurfaceTree& tree_;
   const Shells& shells_;
   std::vector<double> coarse_;  // area seen so far, of each shell
   std::vector<double> fine_;
-  std::vector<double> half_;  // of the whole area
+  std::vector<double> whole_;
   std::vector<double> area_;  // of each face, doubled
   std::vector<Index> order_;
 };
@@ -94,8 +98,8 @@ class CoarseVote {
 }  // namespace detail
 
 /// Finds them. Requires a closed, outward-oriented surface without collinear faces. Cost: a short
-/// ray for each of the faces that make half of the area. The same for any number of `threads` (0:
-/// all).
+/// ray for each of the faces that make three quarters of the area. The same for any number of
+/// `threads` (0: all).
 inline CoarseShells find_coarse_shells(const TriangleSurface& surface, const SurfaceTree& tree,
                                        unsigned threads = 0) {
   CoarseShells result;

@@ -42,6 +42,7 @@ struct Diagnosis {
 
 struct DiagnosisOptions {
   bool ignore_cavities = false;  ///< drop shells that are cavities instead of refusing
+  unsigned threads = 0;          ///< 0: all; the result is the same for any number
 };
 
 /// Examines `input`, which may be anything: no index, number or shape makes it fail. The checks
@@ -193,14 +194,14 @@ inline void check_shells(const Shells& shells, const DiagnosisOptions& options,
 }
 
 /// Faces that automatic sampling would split, whichever way the shells look.
-inline void check_sampling(const TriangleSurface& surface, const Shells& shells,
+inline void check_sampling(const TriangleSurface& surface, const Shells& shells, unsigned threads,
                            std::vector<Finding>& findings) {
   TriangleSurface outward = surface;
   for (std::size_t f = 0; f < outward.triangles.size(); ++f) {
     Triangle& t = outward.triangles[f];
     if (shells.shells[shells.of_face[f]].signed_volume < 0.0) std::swap(t[1], t[2]);
   }
-  std::vector<Index> faces = too_coarse_faces(outward);
+  std::vector<Index> faces = too_coarse_faces(outward, threads);
   if (faces.empty()) return;
   const std::size_t count = faces.size();
   findings.push_back(make_finding("too_coarse", Severity::kWarning, count, std::move(faces)));
@@ -213,12 +214,12 @@ inline std::vector<Finding> examine(const TriangleSurface& surface, bool sound,
   if (surface.triangles.empty()) return {make_finding("no_faces", Severity::kFatal, 1)};
   const EdgeTable edges = make_edge_table(surface.triangles);
   findings = check_manifold(surface, edges);
-  const auto crossing = exact::self_intersections(surface);
+  const auto crossing = exact::self_intersections(surface, options.threads);
   check_self_intersections(crossing, findings);
   if (!sound || is_fatal(findings)) return findings;
   Shells shells = find_shells(surface, edges, crossing);
   check_shells(shells, options, findings);
-  if (!is_fatal(findings)) check_sampling(surface, shells, findings);
+  if (!is_fatal(findings)) check_sampling(surface, shells, options.threads, findings);
   diagnosis.shells = std::move(shells.shells);
   for (const Shell& shell : diagnosis.shells) {
     if (shell.inside_shell == kNone) diagnosis.genus += static_cast<Index>(shell.genus);

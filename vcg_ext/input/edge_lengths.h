@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/surface_tree.h"
 #include "vcg_ext/input/coarse_shells.h"
@@ -40,21 +41,32 @@ class FixedLength {
 /// The longest that an edge may be, by the thickness beneath the two faces at it.
 class LengthByThickness {
  public:
-  /// Lengths are multiplied by this.
-  double scale = 1.0;
-
+  /// The same for any number of `threads`.
   LengthByThickness(const TriangleSurface& surface, const SurfaceTree& tree,
-                    const CoarseShells& coarse)
-      : surface_(surface), field_of_face_(surface.triangles.size(), kNone) {
+                    const CoarseShells& coarse, unsigned threads)
+      : field_of_face_(surface.triangles.size(), kNone) {
     shortest_ = detail::kShortest * bounding_box_diagonal(surface.points);
-    const Thickness thickness(surface, tree);
+    std::vector<Index> faces;
     for (Index f = 0; f < surface.triangles.size(); ++f) {
       if (!coarse.has_face(f)) continue;
-      field_of_face_[f] = to_index(fields_.size());
-      // Thickness beyond that asks for no split of this face's edges.
-      fields_.emplace_back(thickness, f,
-                           1.01 * longest_side(surface, f) / detail::kEdgePerThickness);
+      field_of_face_[f] = to_index(faces.size());
+      faces.push_back(f);
     }
+    const Thickness thickness(surface, tree);
+    constexpr std::size_t kChunk = 16;
+    fields_.resize(faces.size());
+    parallel_for(faces.size(), threads, kChunk, [&](std::size_t i, unsigned) {
+      // Thickness beyond that asks for no split of this face's edges.
+      const double limit = 1.01 * longest_side(surface, faces[i]) / detail::kEdgePerThickness;
+      fields_[i] = FaceThickness(surface, thickness, faces[i], limit);
+    });
+  }
+
+  /// Allows lengths by thickness to be so many times as long, and forgets the surface that it was
+  /// asked about.
+  void grow(double factor) {
+    scale_ *= factor;
+    known_.clear();
   }
 
   double operator()(const SurfaceRefiner& refiner, Index side) const {
@@ -65,7 +77,7 @@ class LengthByThickness {
       allowed = std::min({allowed, detail::kGrading * by_thickness(refiner, second),
                           detail::kGrading * by_thickness(refiner, third)});
     }
-    return scale * std::max(shortest_, allowed);
+    return std::max(shortest_, scale_ * allowed);
   }
 
  private:
@@ -78,32 +90,39 @@ class LengthByThickness {
   double beneath(const SurfaceRefiner& refiner, Index side) const {
     const Index face = refiner.parent(side / 3);
     if (field_of_face_[face] == kNone) return std::numeric_limits<double>::infinity();
-    const Vec3& a = refiner.point(refiner.start(side));
-    const Vec3& b = refiner.point(refiner.end(side));
-    const Vec3& c = refiner.point(refiner.opposite(side));
+    if (known_.size() <= side) known_.resize(refiner.side_count());
+    const Index a = refiner.start(side);
+    const Index b = refiner.end(side);
+    const Index c = refiner.opposite(side);
+    Known& known = known_[side];
+    if (known.a != a || known.b != b || known.c != c) {
+      const FaceThickness& field = fields_[field_of_face_[face]];
+      known = {a, b, c, beneath(field, refiner.point(a), refiner.point(b), refiner.point(c))};
+    }
+    return known.thickness;
+  }
+
+  /// The same beside ab in the face abc.
+  static double beneath(const FaceThickness& field, const Vec3& a, const Vec3& b, const Vec3& c) {
     double least = std::numeric_limits<double>::infinity();
     for (const double share : {1.0 / 6.0, 0.5, 5.0 / 6.0}) {
-      const Vec3 beside = 0.8 * ((1.0 - share) * a + share * b) + 0.2 * c;
-      least = std::min(least, fields_[field_of_face_[face]].near(barycentric(face, beside)));
+      least = std::min(least, field.near(0.8 * ((1.0 - share) * a + share * b) + 0.2 * c));
     }
     return least;
   }
 
-  Vec3 barycentric(Index face, const Vec3& p) const {
-    const Triangle& t = surface_.triangles[face];
-    const Vec3& a = surface_.points[t[0]];
-    const Vec3 ab = surface_.points[t[1]] - a;
-    const Vec3 ac = surface_.points[t[2]] - a;
-    const Vec3 normal = ab.cross(ac);
-    const double v = normal.dot((p - a).cross(ac)) / normal.squaredNorm();
-    const double w = normal.dot(ab.cross(p - a)) / normal.squaredNorm();
-    return {1.0 - v - w, v, w};
-  }
+  struct Known {
+    Index a = kNone;  // corners of the face, from the side on
+    Index b = kNone;
+    Index c = kNone;
+    double thickness = 0.0;
+  };
 
-  const TriangleSurface& surface_;
+  double scale_ = 1.0;
   double shortest_ = 0.0;
   std::vector<Index> field_of_face_;
   std::vector<FaceThickness> fields_;
+  mutable std::vector<Known> known_;  // one per side: asked for often, changed rarely
 };
 
 }  // namespace mgf

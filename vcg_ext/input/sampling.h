@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "vcg_ext/core/errors.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/surface_tree.h"
@@ -24,6 +25,7 @@ struct SamplingOptions {
   /// Longest edge allowed, mesh units; 0: leave the surface as it is; none: choose by local
   /// thickness, for shells that are too coarse.
   std::optional<double> length;
+  unsigned threads = 0;  ///< 0: all; the result is the same for any number
 };
 
 /// Splits edges of a closed, outward-oriented surface at their midpoints until they are short
@@ -31,10 +33,11 @@ struct SamplingOptions {
 /// set, the input's vertices and their numbers stay.
 ///
 /// Automatic: a shell is too coarse if faces longer than it is thick beneath them make more than
-/// half of its area; its edges are then split while longer than 0.7 of the thickness there (a rule
-/// measured on boxes, blocks, cylinders and scans; scans are left alone) and than 0.7 % of the
-/// diagonal. If that takes more than 4000 points and more than there are vertices, all lengths
-/// grow until it doesn't: even sampling, though sparse, is better than a part well sampled.
+/// a quarter of its area; its edges are then split while longer than 0.7 of the thickness there (a
+/// rule measured on boxes, blocks, cylinders and scans; scans are left alone) and than 0.7 % of the
+/// diagonal. If that takes more than 4000 points and more than there are vertices, the share of the
+/// thickness grows until it doesn't: even sampling, though sparse, is better than a part well
+/// sampled.
 ///
 /// Throws InputError "sampling_too_fine" if a fixed length asks for more than 5 million points,
 /// "sampling_negative" if it is negative or no number. O(n log n) in the vertices of the result.
@@ -66,13 +69,14 @@ inline double least_points(const TriangleSurface& surface, double length) {
 /// Splits by thickness, with all lengths multiplied by the least power of 3/2 that keeps the number
 /// of points within bounds.
 inline RefinedSurface split_by_thickness(const TriangleSurface& surface, const SurfaceTree& tree,
-                                         const CoarseShells& coarse, const Progress& progress) {
+                                         const CoarseShells& coarse, unsigned threads,
+                                         const Progress& progress) {
   const std::size_t count = surface.points.size();
   const std::size_t most = count + std::max(count, kMostAutomatic);
-  LengthByThickness allowed(surface, tree, coarse);
+  LengthByThickness allowed(surface, tree, coarse, thread_count(threads));
   RefinedSurface refined = split_long_edges(surface, allowed, most, progress);
   while (refined.surface.points.size() >= most) {
-    allowed.scale *= 1.5;
+    allowed.grow(1.5);
     refined = split_long_edges(surface, allowed, most, progress);
   }
   return refined;
@@ -85,9 +89,9 @@ inline RefinedSurface refine_sampling(const TriangleSurface& surface,
   const std::size_t count = surface.points.size();
   if (!options.length) {
     const SurfaceTree tree(surface);
-    const CoarseShells coarse = find_coarse_shells(surface, tree);
+    const CoarseShells coarse = find_coarse_shells(surface, tree, options.threads);
     if (!coarse.any()) return unrefined(surface);
-    return detail::split_by_thickness(surface, tree, coarse, progress);
+    return detail::split_by_thickness(surface, tree, coarse, options.threads, progress);
   }
   const double length = *options.length;
   if (!(length >= 0.0)) {

@@ -74,8 +74,18 @@ inline bool is_coarser_than_thickness(const TriangleSurface& surface, const Surf
 /// points bound it from below, so that refining at an acute edge, where it goes to 0, ends.
 class FaceThickness {
  public:
+  FaceThickness() = default;
+
   /// Thickness beyond `limit` counts as infinite.
-  FaceThickness(const Thickness& thickness, Index face, double limit) {
+  FaceThickness(const TriangleSurface& surface, const Thickness& thickness, Index face,
+                double limit) {
+    const Triangle& t = surface.triangles[face];
+    origin_ = surface.points[t[0]];
+    const Vec3 ab = surface.points[t[1]] - origin_;
+    const Vec3 ac = surface.points[t[2]] - origin_;
+    const Vec3 normal = ab.cross(ac);
+    to_b_ = ac.cross(normal) / normal.squaredNorm();
+    to_c_ = normal.cross(ab) / normal.squaredNorm();
     for (int i = 0; i < kParts; ++i) {
       for (int j = 0; i + j < kParts; ++j) {
         at_[cell(i, j, false)] = thickness.at(face, centre(i, j, 1.0 / 3.0), limit);
@@ -86,14 +96,16 @@ class FaceThickness {
     }
   }
 
-  /// The thickness at barycentric coordinates `at`.
-  double near(const Vec3& at) const {
+  /// The thickness at a point of the face.
+  double near(const Vec3& p) const {
+    const double v = to_b_.dot(p - origin_);
+    const double w = to_c_.dot(p - origin_);
     const auto part = [](double share) {
       return std::clamp(static_cast<int>(std::floor(share * kParts)), 0, kParts - 1);
     };
-    const int i = part(at[0]);
-    const int j = std::min(part(at[1]), kParts - 1 - i);
-    const int k = part(at[2]);
+    const int i = part(1.0 - v - w);
+    const int j = std::min(part(v), kParts - 1 - i);
+    const int k = part(w);
     return at_[cell(i, j, i + j + k < kParts - 1 && i + j < kParts - 1)];
   }
 
@@ -107,10 +119,14 @@ class FaceThickness {
   }
   /// Row i has 7 - 2 i parts, upright and upside-down in turn.
   static std::size_t cell(int i, int j, bool upside_down) {
-    return static_cast<std::size_t>(i * (2 * kParts - i) + 2 * j + (upside_down ? 1 : 0));
+    const int number = i * (2 * kParts - i) + 2 * j + (upside_down ? 1 : 0);
+    return static_cast<std::size_t>(number);
   }
 
-  std::array<double, static_cast<std::size_t>(kParts* kParts)> at_{};
+  Vec3 origin_ = Vec3::Zero();  // of the face's barycentric coordinates: its first corner
+  Vec3 to_b_ = Vec3::Zero();    // gradient of the second corner's
+  Vec3 to_c_ = Vec3::Zero();    // and of the third's
+  std::array<double, static_cast<std::size_t>(kParts) * kParts> at_{};
 };
 
 }  // namespace mgf

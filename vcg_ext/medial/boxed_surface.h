@@ -7,21 +7,24 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/spatial_order.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/delaunay.h"
 #include "vcg_ext/medial/constrained_surface.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
-#include "vcg_ext/core/spatial_order.h"
+#include "vcg_ext/medial/principal_frame.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 #include "vcg_ext/medial/topology_certificate.h"
 
 namespace mgf {
 
-/// A surface whose used vertices are renumbered in spatial order and whose faces are sorted, so
-/// that nothing made from it depends on how the caller numbered them.
+/// A surface whose used vertices are renumbered in spatial order along its own axes and whose faces
+/// are sorted, so that what is made from it depends neither on how the caller numbered them nor,
+/// but for symmetric shapes, on how the surface is turned.
 struct OrderedSurface {
   TriangleSurface surface;
   std::vector<Index> original;  ///< the caller's number of each vertex
+  Frame frame;                  ///< the axes
 };
 
 inline OrderedSurface in_spatial_order(const TriangleSurface& surface) {
@@ -34,7 +37,21 @@ inline OrderedSurface in_spatial_order(const TriangleSurface& surface) {
     if (used[v] != 0) vertices.push_back(v);
   }
   OrderedSurface result;
-  result.original = spatial_order(surface.points, std::move(vertices));
+  // First along the coordinate axes: the frame is to be the same to the bit for any numbering.
+  vertices = spatial_order(surface.points, std::move(vertices));
+  std::vector<Vec3> local;
+  local.reserve(vertices.size());
+  for (const Index v : vertices) local.push_back(surface.points[v]);
+  result.frame = principal_frame(local);
+  std::vector<Index> places;
+  places.reserve(local.size());
+  for (Vec3& p : local) {
+    p = result.frame.to_local(p);
+    places.push_back(to_index(places.size()));
+  }
+  for (const Index place : spatial_order(local, std::move(places))) {
+    result.original.push_back(vertices[place]);
+  }
   std::vector<Index> number(surface.points.size(), kNone);
   for (Index i = 0; i < result.original.size(); ++i) {
     number[result.original[i]] = i;
@@ -50,23 +67,25 @@ inline OrderedSurface in_spatial_order(const TriangleSurface& surface) {
 inline constexpr std::size_t kBoxCorners = 8;
 inline constexpr std::size_t kBoxFaces = 12;
 
-/// `points` and the eight corners of a box far outside, which keep the surface off the hull. The
-/// box is slightly irregular, which spares the triangulation cospherical cases.
-inline std::vector<Vec3> with_box(const std::vector<Vec3>& points) {
+/// The vertices of an ordered surface and the eight corners of a box along its axes, far outside,
+/// which keep the surface off the hull. The box is slightly irregular, which spares the
+/// triangulation cospherical cases.
+inline std::vector<Vec3> with_box(const OrderedSurface& ordered) {
   constexpr double kFar = 6.0;
   constexpr double kIrregular[kBoxCorners] = {0.0, 0.031, 0.073, 0.011, 0.057, 0.097, 0.043, 0.083};
-  std::vector<Vec3> result = points;
-  Vec3 low = points.front();
-  Vec3 high = points.front();
-  for (const Vec3& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+  std::vector<Vec3> result = ordered.surface.points;
+  Vec3 low = ordered.frame.to_local(result.front());
+  Vec3 high = low;
+  for (const Vec3& p : result) {
+    low = low.cwiseMin(ordered.frame.to_local(p));
+    high = high.cwiseMax(ordered.frame.to_local(p));
   }
   const double reach = kFar * (high - low).norm();
   for (unsigned i = 0; i < kBoxCorners; ++i) {
     const Vec3 corner((i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
                       (i & 4U) != 0 ? 1.0 : -1.0);
-    result.push_back(0.5 * (low + high) + reach * (1.0 + kIrregular[i]) * corner);
+    result.push_back(
+        ordered.frame.to_world(0.5 * (low + high) + reach * (1.0 + kIrregular[i]) * corner));
   }
   return result;
 }
@@ -82,7 +101,7 @@ struct BoxedSurface {
 /// `ordered` in its box.
 inline BoxedSurface boxed(const OrderedSurface& ordered) {
   BoxedSurface result;
-  result.points = with_box(ordered.surface.points);
+  result.points = with_box(ordered);
   result.delaunay = delaunay_tetrahedra(result.points);
   result.faces = ordered.surface.triangles;
   return result;
@@ -92,7 +111,7 @@ inline BoxedSurface boxed(const OrderedSurface& ordered) {
 inline BoxedSurface boxed(const OrderedSurface& ordered, const TriangleSurface& refined) {
   BoxedSurface result;
   const std::size_t own = ordered.surface.points.size();
-  result.points = with_box(ordered.surface.points);
+  result.points = with_box(ordered);
   result.points.insert(result.points.end(),
                        refined.points.begin() + static_cast<std::ptrdiff_t>(own),
                        refined.points.end());

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/boxed_surface.h"
 #include "vcg_ext/medial/interior_cleaning.h"
@@ -30,7 +31,8 @@ struct Evidence {
   const TriangleSurface& input;
   BettiNumbers expected;
   WindingNumbers winding;
-  bool embedded;  // the mesh triangulates its box
+  bool embedded;     // the mesh triangulates its box
+  unsigned threads;  // how many to use
 };
 
 inline bool is_consistent(const WindingNumbers& winding) {
@@ -70,7 +72,7 @@ inline InteriorTetrahedra certified(InteriorTetrahedra interior, const Evidence&
   interior.certificate.winding_conflicts = evidence.winding.conflicts;
   interior.certificate.surface_flips = evidence.recovered.surface_flips;
   interior.certificate.points_added = to_index(interior.points.size()) - interior.input_points;
-  certify(interior, boundary, embedded);
+  certify(interior, boundary, embedded, evidence.threads);
   return interior;
 }
 
@@ -101,15 +103,14 @@ inline std::tuple<int, std::int64_t, Index> shortfall(const InteriorTetrahedra& 
 inline InteriorTetrahedra choose_interior(const RecoveredMesh& recovered,
                                           const OrderedSurface& ordered,
                                           const TriangleSurface& input,
-                                          const BettiNumbers& expected, bool lift_overlaps) {
+                                          const BettiNumbers& expected, bool lift_overlaps,
+                                          unsigned threads) {
   using namespace choice_detail;
   const TetrahedralMesh& mesh = recovered.mesh;
-  const Evidence evidence{recovered,
-                          ordered,
-                          input,
-                          expected,
-                          flood_winding_numbers(mesh, recovered.surface),
-                          is_triangulated_box(mesh, kBoxFaces)};
+  Evidence evidence{recovered, ordered, input, expected, {}, false, threads};
+  parallel_both(
+      threads, [&] { evidence.winding = flood_winding_numbers(mesh, recovered.surface); },
+      [&] { evidence.embedded = is_triangulated_box(mesh, kBoxFaces); });
   std::vector<char> inside = inside_marks(evidence);
   OverlapColours none;
   none.lifted.assign(inside.size(), 0);

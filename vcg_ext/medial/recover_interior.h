@@ -24,18 +24,19 @@ struct RecoveryOptions {
   bool lift_overlaps = true;        ///< where the surface passes through itself, keep both copies
   std::size_t known_crossings = 0;  ///< pairs of faces known to cross: if many, the surface is cut
                                     ///< there at once. 0 promises nothing
+  unsigned threads = 0;             ///< 0: all; the result is the same for any number
 };
 
 namespace recovery_detail {
 
-// flat flips, guided flips, growth, recursive attempts, seed
-inline constexpr AttemptOptions kFirstAttempt = {true, true, 0.05, 400, 1};
-inline constexpr AttemptOptions kMoreAttempts[] = {{true, false, 0.20, 400, 2},
-                                                   {false, false, 0.50, 400, 3},
-                                                   {true, true, 0.50, 1500, 4},
-                                                   {false, false, 0.50, 1500, 5}};
-inline constexpr AttemptOptions kSoupAttempts[] = {{true, false, 0.20, 400, 6},
-                                                   {false, false, 0.50, 1500, 7}};
+// seed, spare points, growth, recursive attempts, flat flips, guided flips
+inline constexpr AttemptOptions kFirstAttempt = {1, 200, 0.05, 400, true, true};
+inline constexpr AttemptOptions kMoreAttempts[] = {{2, 200, 0.20, 400, true, false},
+                                                   {3, 200, 0.50, 400, false, false},
+                                                   {4, 200, 0.50, 1500, true, true},
+                                                   {5, 200, 0.50, 1500, false, false}};
+inline constexpr AttemptOptions kSoupAttempts[] = {{6, 200, 0.20, 400, true, false},
+                                                   {7, 200, 0.50, 1500, false, false}};
 
 // Flips and splits serve a surface that crosses itself in no more pairs of faces.
 inline constexpr std::size_t kFewCrossings = 32;
@@ -55,7 +56,7 @@ class Attempts {
     const BoxedSurface plain = boxed(ordered_);
     attempt(plain, kFirstAttempt);
     if (verdict() == TopologyVerdict::kProven) return;
-    if (exact::self_intersections(ordered_.surface).empty()) {
+    if (exact::self_intersections(ordered_.surface, options_.threads).empty()) {
       for (const AttemptOptions& way : kMoreAttempts) {
         attempt(plain, way);
         if (verdict() == TopologyVerdict::kProven) return;
@@ -76,7 +77,8 @@ class Attempts {
     way.guided_flips = way.guided_flips && !options_.recover_input_surface;
     const RecoveredMesh recovered = attempt_recovery(boxed_surface, way, progress_);
     InteriorTetrahedra found =
-        choose_interior(recovered, ordered_, surface_, expected_, options_.lift_overlaps);
+        choose_interior(recovered, ordered_, surface_, expected_, options_.lift_overlaps,
+                        thread_count(options_.threads));
     if (!best_ || shortfall(found) < shortfall(*best_)) best_ = std::move(found);
     return recovered.complete;
   }

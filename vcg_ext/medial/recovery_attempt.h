@@ -18,11 +18,12 @@ namespace mgf {
 
 /// One way to try.
 struct AttemptOptions {
+  std::uint64_t seed;
+  Index spare_points;      ///< points that may be added: so many
+  double growth;           ///< and this share of the vertices
+  int recursive_attempts;  ///< per missing edge or face
   bool flat_flips;
   bool guided_flips;
-  double growth;  ///< points that may be added: 200 and this share of the vertices
-  int recursive_attempts;
-  std::uint64_t seed;
 };
 
 /// How far an attempt came.
@@ -44,7 +45,8 @@ inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOp
   if (options.guided_flips) result.surface_flips += flip_towards(result.mesh, result.surface);
   RecoveryLimits limits;
   limits.added_points =
-      200 + static_cast<std::size_t>(options.growth * static_cast<double>(boxed.points.size()));
+      options.spare_points +
+      static_cast<std::size_t>(options.growth * static_cast<double>(boxed.points.size()));
   limits.recursive_attempts = options.recursive_attempts;
   limits.seed = options.seed;
   BoundaryRecovery recovery(result.mesh, result.surface, limits);

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -56,22 +57,17 @@ class SurfaceFlipper {
     queue_.push_back(f);
   }
 
-  // Offers the edges of queued faces to `wanted` and flips those it accepts, sweep by sweep.
+  // Offers the edges of queued faces to `wanted` and flips those it accepts, sweep by sweep, the
+  // longest first: flips compete, and lengths don't change when the shape is turned.
   template <class Wanted>
   Index run(const Wanted& wanted) {
     Index flips = 0;
     for (int sweep = 0; sweep < kSweeps && !queue_.empty(); ++sweep) {
-      std::vector<Index> faces;
-      faces.swap(queue_);
-      for (const Index f : faces) queued_[f] = 0;
-      for (const Index f : faces) {
-        for (unsigned i = 0; i < 3; ++i) {
-          EdgePair e{};
-          if (!pair_at(f, i, e) || !wanted(e)) continue;
-          flip(e);
-          ++flips;
-          break;
-        }
+      for (const Candidate& candidate : candidates(wanted)) {
+        EdgePair e{};
+        if (!pair_at(candidate.f, candidate.a, candidate.b, e) || !wanted(e)) continue;
+        flip(e);
+        ++flips;
       }
     }
     for (const Index f : queue_) queued_[f] = 0;
@@ -79,21 +75,46 @@ class SurfaceFlipper {
     return flips;
   }
 
-  // The flippable pair at side i of f; false if its flip would double an edge.
-  bool pair_at(Index f, unsigned i, EdgePair& e) const {
+  // An edge ab of face f to be flipped.
+  struct Candidate {
+    double squared_length;
+    Index f, a, b;
+  };
+
+  // The wanted edges of the queued faces in the order of flipping; empties the queue.
+  template <class Wanted>
+  std::vector<Candidate> candidates(const Wanted& wanted) {
+    std::vector<Candidate> result;
+    for (const Index f : queue_) {
+      queued_[f] = 0;
+      const Triangle face = surface_.face(f);
+      for (unsigned i = 0; i < 3; ++i) {
+        EdgePair e{};
+        if (!pair_at(f, face[i], face[(i + 1) % 3], e) || !wanted(e)) continue;
+        result.push_back({(points_[e.b] - points_[e.a]).squaredNorm(), f, e.a, e.b});
+      }
+    }
+    queue_.clear();
+    std::stable_sort(result.begin(), result.end(), [](const Candidate& x, const Candidate& y) {
+      return x.squared_length > y.squared_length;
+    });
+    return result;
+  }
+
+  // The flippable pair at the side of f from a to b; false if f hasn't it or the pair is none.
+  bool pair_at(Index f, Index a, Index b, EdgePair& e) const {
     const Triangle& face = surface_.face(f);
-    e.f = f;
-    e.a = face[i];
-    e.b = face[(i + 1) % 3];
-    e.c = face[(i + 2) % 3];
-    e.g = kNone;
-    for (const Index g : surface_.faces_at(e.a)) {
-      if (g == f || !ConstrainedSurface::has_corner(surface_.face(g), e.b)) continue;
+    std::size_t i = 0;
+    while (i < 3 && (face[i] != a || face[(i + 1) % 3] != b)) ++i;
+    if (i == 3) return false;
+    e = {f, kNone, a, b, face[(i + 2) % 3], kNone};
+    for (const Index g : surface_.faces_at(a)) {
+      if (g == f || !ConstrainedSurface::has_corner(surface_.face(g), b)) continue;
       if (e.g != kNone) return false;
       e.g = g;
     }
     if (e.g == kNone) return false;
-    e.d = ConstrainedSurface::third_corner(surface_.face(e.g), e.a, e.b);
+    e.d = ConstrainedSurface::third_corner(surface_.face(e.g), a, b);
     return e.c != e.d;
   }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/predicates.h"
 #include "vcg_ext/medial/betti.h"
@@ -60,6 +61,24 @@ inline Index asymmetries(const InteriorTetrahedra& interior) {
   return count;
 }
 
+inline Index not_positive(const InteriorTetrahedra& interior) {
+  const std::vector<Vec3>& p = interior.points;
+  Index count = 0;
+  for (const Tetrahedron& t : interior.tetrahedra) {
+    count += orient3d(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) <= 0 ? 1 : 0;
+  }
+  return count;
+}
+
+// The members of `these` that `those` hasn't; both ascending.
+inline Index count_difference(const std::vector<Triangle>& these,
+                              const std::vector<Triangle>& those) {
+  std::vector<Triangle> difference;
+  std::set_difference(these.begin(), these.end(), those.begin(), those.end(),
+                      std::back_inserter(difference));
+  return to_index(difference.size());
+}
+
 // Whether the arrows from first to second entry make one closed cycle through distinct places.
 inline bool is_one_cycle(const std::vector<std::array<Index, 2>>& arrows) {
   std::size_t length = 0;
@@ -103,36 +122,31 @@ inline bool is_manifold(const std::vector<Triangle>& faces, std::size_t point_co
 /// flips and points must have been filled in. `embedded` says that the interior is part of a
 /// triangulation of a box that `is_triangulated_box` accepts.
 inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& boundary,
-                    bool embedded) {
+                    bool embedded, unsigned threads = 1) {
   TopologyCertificate& certificate = interior.certificate;
-  for (const Tetrahedron& t : interior.tetrahedra) {
-    if (orient3d(interior.points[t[0]], interior.points[t[1]], interior.points[t[2]],
-                 interior.points[t[3]]) <= 0) {
-      ++certificate.tetrahedra_not_positive;
-    }
-  }
-  const std::vector<Triangle> found = canonical_sorted(interior.boundary);
-  const std::vector<Triangle> wanted = canonical_sorted(boundary);
-  std::vector<Triangle> difference;
-  std::set_difference(wanted.begin(), wanted.end(), found.begin(), found.end(),
-                      std::back_inserter(difference));
-  certificate.boundary_faces_missing = to_index(difference.size());
-  difference.clear();
-  std::set_difference(found.begin(), found.end(), wanted.begin(), wanted.end(),
-                      std::back_inserter(difference));
-  certificate.boundary_faces_extra = to_index(difference.size());
-  const Index asymmetric = certificate_detail::asymmetries(interior);
-  if (asymmetric == 0) {
+  bool glued = false;
+  bool manifold = false;
+  const auto count_topology = [&] {
+    glued = certificate_detail::asymmetries(interior) == 0;
+    if (!glued) return;
     const DualCells cells = dual_cells(interior.tetrahedra, interior.neighbours);
     certificate.interior_vertices = to_index(cells.solids);
     certificate.betti = betti_numbers(cells);
-  }
-  const bool counted = asymmetric == 0 && certificate.betti == certificate.expected;
-  const bool proven = counted && embedded && certificate.boundary_faces_missing == 0 &&
-                      certificate.boundary_faces_extra == 0 &&
-                      certificate.tetrahedra_not_positive == 0 &&
-                      certificate.winding_conflicts == 0 && certificate.interior_vertices == 0 &&
-                      certificate_detail::is_manifold(found, interior.points.size());
+  };
+  const auto compare_surfaces = [&] {
+    certificate.tetrahedra_not_positive = certificate_detail::not_positive(interior);
+    const std::vector<Triangle> found = canonical_sorted(interior.boundary);
+    const std::vector<Triangle> wanted = canonical_sorted(boundary);
+    certificate.boundary_faces_missing = certificate_detail::count_difference(wanted, found);
+    certificate.boundary_faces_extra = certificate_detail::count_difference(found, wanted);
+    manifold = certificate_detail::is_manifold(found, interior.points.size());
+  };
+  parallel_both(threads, count_topology, compare_surfaces);
+  const bool counted = glued && certificate.betti == certificate.expected;
+  const bool proven =
+      counted && embedded && certificate.boundary_faces_missing == 0 &&
+      certificate.boundary_faces_extra == 0 && certificate.tetrahedra_not_positive == 0 &&
+      certificate.winding_conflicts == 0 && certificate.interior_vertices == 0 && manifold;
   certificate.topology = proven    ? TopologyVerdict::kProven
                          : counted ? TopologyVerdict::kCounted
                                    : TopologyVerdict::kFailed;

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the proof stands on: each check notices what it is for, and moves can be taken back.
+#include "vcg_ext/medial/topology_certificate.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/fixtures.h"
+#include "tests/voxel_solids.h"
+#include "vcg_ext/core/random.h"
+#include "vcg_ext/exact/surface_tree.h"
+#include "vcg_ext/medial/local_moves.h"
+#include "vcg_ext/medial/ray_winding.h"
+#include "vcg_ext/medial/recover_interior.h"
+
+namespace mgf::test {
+namespace {
+
+InteriorTetrahedra proven_torus() {
+  InteriorTetrahedra interior = recover_interior(fixtures::torus(24, 10, 1.0, 0.3), {});
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kProven);
+  return interior;
+}
+
+BettiNumbers betti_of(const InteriorTetrahedra& interior) {
+  return betti_numbers(dual_cells(interior.tetrahedra, interior.neighbours));
+}
+
+TEST(Certificate, HoldsWhenCheckedAgain) {
+  InteriorTetrahedra interior = proven_torus();
+  certify(interior, interior.boundary, true);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kProven);
+}
+
+TEST(Certificate, NoticesATetrahedronTurnedOver) {
+  InteriorTetrahedra interior = proven_torus();
+  std::swap(interior.tetrahedra[7][0], interior.tetrahedra[7][1]);
+  std::swap(interior.neighbours[7][0], interior.neighbours[7][1]);
+  certify(interior, interior.boundary, true);
+  EXPECT_EQ(interior.certificate.tetrahedra_not_positive, 1U);
+  EXPECT_NE(interior.certificate.topology, TopologyVerdict::kProven);
+}
+
+TEST(Certificate, NoticesOneSidedNeighbours) {
+  InteriorTetrahedra interior = proven_torus();
+  for (Index& neighbour : interior.neighbours[7]) neighbour = kNone;
+  certify(interior, interior.boundary, true);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kFailed);
+}
+
+TEST(Certificate, NoticesFacesThatAreNotOfTheSurface) {
+  InteriorTetrahedra interior = proven_torus();
+  std::vector<Triangle> wanted = interior.boundary;
+  wanted.pop_back();
+  certify(interior, wanted, true);
+  EXPECT_EQ(interior.certificate.boundary_faces_extra, 1U);
+  EXPECT_EQ(interior.certificate.boundary_faces_missing, 0U);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kCounted);
+}
+
+TEST(Certificate, NoticesMissingFaces) {
+  InteriorTetrahedra interior = proven_torus();
+  std::vector<Triangle> wanted = interior.boundary;
+  std::swap(wanted.front()[0], wanted.front()[1]);  // the other side of that face
+  certify(interior, wanted, true);
+  EXPECT_EQ(interior.certificate.boundary_faces_missing, 1U);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kCounted);
+}
+
+TEST(Certificate, IsOnlyACountWithoutAnEmbedding) {
+  InteriorTetrahedra interior = proven_torus();
+  certify(interior, interior.boundary, false);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kCounted);
+}
+
+TEST(Certificate, FailsOnTheWrongNumberOfLoops) {
+  InteriorTetrahedra interior = proven_torus();
+  interior.certificate.expected = {1, 0, 0};
+  certify(interior, interior.boundary, true);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kFailed);
+}
+
+TEST(Betti, AreThoseOfSolidsOfCubes) {
+  EXPECT_EQ(betti_of(solid_of_cubes(plate_of_cubes(4, 3))), (BettiNumbers{1, 0, 0}));
+  EXPECT_EQ(betti_of(solid_of_cubes(ring_of_cubes(5))), (BettiNumbers{1, 1, 0}));
+  EXPECT_EQ(betti_of(solid_of_cubes(hollow_box_of_cubes(4))), (BettiNumbers{1, 0, 1}));
+}
+
+TEST(Betti, ExpectedOnesCountShellsAndHandles) {
+  const TriangleSurface torus = fixtures::torus(12, 8, 1.0, 0.3);
+  const TriangleSurface both =
+      fixtures::joined(torus, fixtures::moved(fixtures::sphere(1), Vec3(4, 0, 0)));
+  EXPECT_EQ(expected_betti_numbers(torus), (BettiNumbers{1, 1, 0}));
+  EXPECT_EQ(expected_betti_numbers(both), (BettiNumbers{2, 1, 0}));
+}
+
+TEST(RayWinding, AgreesWithTheExactOne) {
+  const TriangleSurface two = fixtures::joined(
+      fixtures::sphere(2), fixtures::moved(fixtures::sphere(2), Vec3(0.9, 0.1, 0)));
+  const RayWinding ray(two.points, two.triangles);
+  const SurfaceTree tree(two);
+  Random random(4);
+  int doubly = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 p(0.004 * random.below(1000) - 1.5, 0.003 * random.below(1000) - 1.5,
+                 0.003 * random.below(1000) - 1.5);
+    EXPECT_EQ(ray(p), tree.winding_number(p));
+    doubly += tree.winding_number(p) == 2 ? 1 : 0;
+  }
+  EXPECT_GT(doubly, 10);
+}
+
+TEST(TetrahedralMesh, TakesMovesBack) {
+  const OrderedSurface ordered = in_spatial_order(fixtures::torus(24, 10, 1.0, 0.3));
+  const BoxedSurface plain = boxed(ordered);
+  TetrahedralMesh mesh(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
+  const ConstrainedSurface nothing(plain.points.size(), {});
+  LocalMoves<SegmentObstacle> moves(mesh, nothing, SegmentObstacle{0, 100});
+  const std::size_t slots = mesh.slot_count();
+  mesh.open_journal();
+  Random random(2);
+  int made = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Index t = random.below(slots);
+    if (mesh.alive(t) && moves.flip_face(t, random.below(4), 1000)) ++made;
+  }
+  ASSERT_GT(made, 100);
+  ASSERT_TRUE(is_triangulated_box(mesh, kBoxFaces));
+  mesh.roll_back(0);
+  for (Index t = 0; t < slots; ++t) {
+    ASSERT_EQ(mesh.corners(t), plain.delaunay.corners[t]);
+    for (unsigned i = 0; i < 4; ++i) {
+      ASSERT_EQ(mesh.neighbour(t, i), plain.delaunay.neighbours[t][i]);
+    }
+  }
+  for (auto t = to_index(slots); t < mesh.slot_count(); ++t) ASSERT_FALSE(mesh.alive(t));
+}
+
+}  // namespace
+}  // namespace mgf::test
