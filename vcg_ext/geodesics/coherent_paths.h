@@ -174,6 +174,7 @@ class CoherentPaths {
     waiting.resize(
         std::max<std::size_t>(std::min<std::size_t>(waiting.size(), 64), waiting.size() / 8));
     std::vector<Index> chosen;
+    chosen.reserve(waiting.size());
     for (const auto& [distance, pair] : waiting) chosen.push_back(pair);
     candidates_.assign(chosen.size(), {});
     parallel_for(chosen.size(), threads_, 8, [&](std::size_t i, unsigned worker) {

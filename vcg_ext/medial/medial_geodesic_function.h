@@ -102,6 +102,18 @@ inline PairTable pairs_of_complex(const MedialComplex& complex, const TriangleSu
   return PairTable(std::move(pairs));
 }
 
+/// The triples of pairs along which paths are carried on: the sides of the dual triangles.
+inline std::vector<std::array<Index, 3>> links_of_complex(const MedialComplex& complex,
+                                                          const PairTable& table) {
+  std::vector<std::array<Index, 3>> links;
+  links.reserve(complex.edge_count());
+  for (const Triangle& dual : complex.edge_contacts) {
+    links.push_back(
+        {table.find(dual[0], dual[1]), table.find(dual[1], dual[2]), table.find(dual[0], dual[2])});
+  }
+  return links;
+}
+
 /// v(F) for contacts a, b at distance vector `ab` with the path's tangents leaving them.
 inline Vec3 mgf_gradient(const Vec3& ab, const Vec3& tangent_a, const Vec3& tangent_b) {
   constexpr double kCancelled = 1e-9;  // the tangents are unit vectors
@@ -123,12 +135,7 @@ inline MedialGeodesicField evaluate_medial_geodesic_function(const TriangleSurfa
                                                              const Progress& progress) {
   MedialGeodesicField field;
   field.table = detail::pairs_of_complex(complex, surface);
-  std::vector<std::array<Index, 3>> links;
-  links.reserve(complex.edge_count());
-  for (const Triangle& dual : complex.edge_contacts) {
-    links.push_back({field.table.find(dual[0], dual[1]), field.table.find(dual[1], dual[2]),
-                     field.table.find(dual[0], dual[2])});
-  }
+  const std::vector<std::array<Index, 3>> links = detail::links_of_complex(complex, field.table);
   field.geodesics = compute_pair_geodesics(surface, field.table.pairs(), links, options, progress);
 
   field.mgf.reserve(complex.facet_count());
