@@ -22,13 +22,12 @@ class EdgeSearch {
         distance_(mesh.vertex_count(), kInfinity),
         parent_(mesh.vertex_count(), kNone) {}
 
-  /// The vertices of the shortest edge path from a to b, both included, or nothing if there is no
-  /// path or more than `most` vertices would have to be settled.
-  std::vector<Index> run(Index a, Index b, std::size_t most = static_cast<std::size_t>(-1)) {
+  /// The vertices of the shortest edge path from a to b, both included, or nothing if there is
+  /// none.
+  std::vector<Index> run(Index a, Index b) {
     std::vector<Index> path;
     reach(a, 0.0, kNone, b);
-    std::size_t settled = 0;
-    while (!queue_.empty() && settled < most) {
+    while (!queue_.empty()) {
       const auto [estimate, v] = queue_.top();
       queue_.pop();
       if (v == b) {
@@ -37,7 +36,6 @@ class EdgeSearch {
         break;
       }
       if (estimate > distance_[v] + remaining(v, b)) continue;
-      ++settled;
       Index h = mesh_.outgoing[v];
       do {
         reach(mesh_.head(h), distance_[v] + mesh_.halfedges[h].length, v, b);

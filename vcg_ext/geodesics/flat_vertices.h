@@ -92,7 +92,7 @@ class FlatVertexRemoval {
     double best_shape = kThin;
     for (const Index u : ring_) {
       const double quality = shape_after(v, u, best_shape);
-      if (quality > best_shape && is_linked_simply(v, u)) {
+      if (quality > best_shape && is_linked_simply(u)) {
         best_shape = quality;
         best = u;
       }
@@ -131,14 +131,14 @@ class FlatVertexRemoval {
     return worst;
   }
 
-  /// Whether u and v have just the two common neighbours that their edge's triangles give them.
-  bool is_linked_simply(Index v, Index u) {
+  /// Whether u and the vertex that `ring_` is about have just the two common neighbours that their
+  /// edge's triangles give them.
+  bool is_linked_simply(Index u) {
     neighbours_of(u, other_ring_);
     std::size_t common = 0;
     for (const Index w : ring_) {
       common += std::binary_search(other_ring_.begin(), other_ring_.end(), w) ? 1U : 0U;
     }
-    (void)v;
     return common == 2;
   }
 

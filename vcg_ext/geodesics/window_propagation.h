@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/geodesics/bucket_queue.h"
 #include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/search_targets.h"
@@ -40,8 +41,8 @@ class WindowPropagation {
       : mesh_(mesh),
         pruning_(pruning),
         tolerance_(1e-10 * mesh.mean_edge),
-        buckets_per_length_(2.0 / mesh.mean_edge),
         targets_(mesh, tolerance_),
+        queue_(0.5 * mesh.mean_edge),
         states_(mesh.vertex_count()) {}
 
   /// Searches from `start` until every target's distance is certain. Returns false if the search
@@ -129,14 +130,13 @@ class WindowPropagation {
     for (const PropagationTarget& target : targets) {
       if (target.place.vertex != kNone) lower_bound_at(target.place.vertex, target.bound);
     }
-    current_bucket_ = 0;
     met_thin_triangle_ = false;
   }
 
   void end() {
     for (const Index v : touched_) states_[v] = {};
     touched_.clear();
-    for (std::vector<Index>& bucket : buckets_) bucket.clear();
+    queue_.clear();
   }
 
   /// The longest that a path to v may be and still matter.
@@ -156,31 +156,19 @@ class WindowPropagation {
     bound = distance;
   }
 
-  // ---- the queue: buckets by distance, last in first out within one ----
-
   void push(double key, Index entry) {
-    const double position = key * buckets_per_length_;
-    if (!(key <= targets_.reach()) || position > 1e8) return;
-    const std::size_t bucket = std::max(current_bucket_, static_cast<std::size_t>(position));
-    if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
-    buckets_[bucket].push_back(entry);
+    if (key <= targets_.reach()) queue_.push(key, entry);
   }
 
   bool drain() {
-    for (; current_bucket_ < buckets_.size(); ++current_bucket_) {
-      if (static_cast<double>(current_bucket_) > targets_.reach() * buckets_per_length_) {
-        return true;
+    for (Index entry = queue_.pop(targets_.reach()); entry != kNone;
+         entry = queue_.pop(targets_.reach())) {
+      if ((entry & kRootFlag) != 0) {
+        spread(entry & ~kRootFlag);
+      } else {
+        propagate(entry);
       }
-      while (!buckets_[current_bucket_].empty()) {
-        const Index entry = buckets_[current_bucket_].back();
-        buckets_[current_bucket_].pop_back();
-        if ((entry & kRootFlag) != 0) {
-          spread(entry & ~kRootFlag);
-        } else {
-          propagate(entry);
-        }
-        if (windows_.size() > kMostWindows) return false;
-      }
+      if (windows_.size() > kMostWindows) return false;
     }
     return true;
   }
@@ -398,15 +386,13 @@ class WindowPropagation {
 
   const HalfedgeMesh& mesh_;
   PropagationPruning pruning_;
-  double tolerance_;           ///< lengths that differ by less are the same
-  double buckets_per_length_;  ///< of the queue
+  double tolerance_;  ///< lengths that differ by less are the same
   SearchTargets targets_;
+  BucketQueue queue_;                ///< of windows and, with kRootFlag, roots
   std::vector<VertexState> states_;  ///< one per vertex
   std::vector<Index> touched_;       ///< vertices with a bound
   std::vector<Window> windows_;
   std::vector<Root> roots_;
-  std::vector<std::vector<Index>> buckets_;
-  std::size_t current_bucket_ = 0;
   const std::vector<char>* allowed_ = nullptr;
   bool met_thin_triangle_ = false;
 };
