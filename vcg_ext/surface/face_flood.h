@@ -28,15 +28,32 @@ struct FaceGraph {
   std::size_t face_count() const { return neighbour.size(); }
 };
 
-/// The dual graph of `surface`, at most two faces of which share an edge. O(n log n).
+namespace detail {
+
+/// Makes two faces neighbours across the edges from their corners i and j.
+inline void join_faces(const Vec3& middle, Index f, Index i, Index g, Index j, FaceGraph& graph) {
+  graph.neighbour[f][i] = g;
+  graph.neighbour[g][j] = f;
+  graph.step[f][i] = graph.step[g][j] =
+      (graph.centroid[f] - middle).norm() + (middle - graph.centroid[g]).norm();
+}
+
+}  // namespace detail
+
+/// The dual graph of `surface`, at most two faces of which share an edge. Linear time for vertices
+/// of bounded degree.
 inline FaceGraph build_face_graph(const TriangleSurface& surface) {
   const std::size_t n = surface.triangles.size();
   FaceGraph graph;
   graph.neighbour.assign(n, {kNone, kNone, kNone});
   graph.step.assign(n, {0.0, 0.0, 0.0});
   graph.edge_length.resize(n);
-  std::vector<std::tuple<Index, Index, Index, Index>> sides;  // lower end, upper end, face, corner
-  sides.reserve(3 * n);
+  graph.centroid.reserve(n);
+  graph.area.reserve(n);
+  std::vector<Index> low_end;  // of the side from corner i of face f, at 3 f + i
+  std::vector<Index> high_end;
+  low_end.reserve(3 * n);
+  high_end.reserve(3 * n);
   for (Index f = 0; f < n; ++f) {
     const Triangle& t = surface.triangles[f];
     const Vec3& a = surface.points[t[0]];
@@ -48,19 +65,20 @@ inline FaceGraph build_face_graph(const TriangleSurface& surface) {
       const Index from = t[i];
       const Index to = t[(i + 1) % 3];
       graph.edge_length[f][i] = (surface.points[to] - surface.points[from]).norm();
-      sides.emplace_back(std::min(from, to), std::max(from, to), f, i);
+      low_end.push_back(std::min(from, to));
+      high_end.push_back(std::max(from, to));
     }
   }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t s = 1; s < sides.size(); ++s) {
-    const auto [low, high, f, i] = sides[s - 1];
-    const auto [low2, high2, g, j] = sides[s];
-    if (low != low2 || high != high2) continue;
-    const Vec3 middle = 0.5 * (surface.points[low] + surface.points[high]);
-    graph.neighbour[f][i] = g;
-    graph.neighbour[g][j] = f;
-    graph.step[f][i] = graph.step[g][j] =
-        (graph.centroid[f] - middle).norm() + (middle - graph.centroid[g]).norm();
+  const Rows<Index> sides = group_by_key(low_end, surface.points.size());
+  for (Index low = 0; low < sides.size(); ++low) {
+    const Row<Index> row = sides[low];
+    for (const Index* side = row.begin(); side != row.end(); ++side) {
+      const Index* const other = std::find_if(
+          side + 1, row.end(), [&](Index s) { return high_end[s] == high_end[*side]; });
+      if (other == row.end()) continue;
+      const Vec3 middle = 0.5 * (surface.points[low] + surface.points[high_end[*side]]);
+      detail::join_faces(middle, *side / 3, *side % 3, *other / 3, *other % 3, graph);
+    }
   }
   return graph;
 }
