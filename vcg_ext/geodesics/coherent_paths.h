@@ -205,8 +205,8 @@ class CoherentPaths {
         for (const Index pair : active_) changed_in_[pair] = round_;
         const std::vector<Index> asked = neighbours_of_active();
         candidates_.assign(asked.size(), {});
-        const std::size_t chunk = 16;
-        parallel_for(asked.size(), asked.size() < 16 * chunk ? 1 : threads_, chunk,
+        constexpr std::size_t kWorthThreads = 512;  // about a millisecond; a thread starts in 0.1
+        parallel_for(asked.size(), asked.size() < kWorthThreads ? 1 : threads_, 16,
                      [&](std::size_t i, unsigned worker) {
                        try_neighbours(asked[i], workspace(worker), candidates_[i]);
                      });

@@ -243,21 +243,23 @@ class PathCertificate {
       if (done_[i] == 0) chosen.push_back(i);
       done_[i] = 1;
     }
-    constexpr std::size_t kSteps = 64;  // of progress
-    for (std::size_t step = 0; step < kSteps; ++step) {
-      progress.report(static_cast<double>(step) / kSteps, "Proving geodesics");
-      const std::size_t first = chosen.size() * step / kSteps;
-      const std::size_t last = chosen.size() * (step + 1) / kSteps;
-      parallel_for(
-          last - first, to_index(certifiers_.size()), 4, [&](std::size_t i, unsigned worker) {
-            auto& certifier = certifiers_[worker];
-            if (!certifier) {
-              certifier = std::make_unique<detail::Certifier>(mesh_, search_, options_.pruning);
-            }
-            const std::size_t search = chosen[first + i];
-            certifier->certify(plan_.starts[search], plan_.pairs[search], pairs_, paths_);
-          });
-    }
+    // Reported by the caller's own thread, the first of the workers.
+    const std::size_t step = chosen.size() / 64 + 1;
+    std::size_t next_report = 0;
+    parallel_for(
+        chosen.size(), to_index(certifiers_.size()), 4, [&](std::size_t i, unsigned worker) {
+          if (worker == 0 && i >= next_report) {
+            progress.report(static_cast<double>(i) / static_cast<double>(chosen.size()),
+                            "Proving geodesics");
+            next_report = i + step;
+          }
+          auto& certifier = certifiers_[worker];
+          if (!certifier) {
+            certifier = std::make_unique<detail::Certifier>(mesh_, search_, options_.pruning);
+          }
+          const std::size_t search = chosen[i];
+          certifier->certify(plan_.starts[search], plan_.pairs[search], pairs_, paths_);
+        });
     return take_improved();
   }
 
