@@ -65,14 +65,17 @@ Json measure(const Arguments& arguments) {
   };
   const mgf::TriangleSurface surface = mgf::bench::read_surface(arguments.mesh);
   seconds["read"] = total.wall();
-  const mgf::MedialAxis axis = mgf::compute_medial_axis(surface);
+  mgf::MedialAxisOptions axis_options;
+  axis_options.use_threads(arguments.geodesics.threads);
+  const mgf::MedialAxis axis = mgf::compute_medial_axis(surface, axis_options);
   add(axis.times);
   const double cpu_before_geodesics = total.cpu();
   const mgf::MedialGeodesicFunction function =
       mgf::compute_medial_geodesic_function(axis, arguments.geodesics);
   add(function.times);
   const double cpu_of_geodesics = total.cpu() - cpu_before_geodesics;
-  const mgf::SkeletonOptions options;
+  mgf::SkeletonOptions options;
+  options.threads = arguments.geodesics.threads;
   const mgf::CurveSkeletonResult result =
       mgf::compute_skeleton_hierarchy(axis, function.field, options);
   add(result.times);
