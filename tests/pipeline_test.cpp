@@ -158,6 +158,45 @@ TEST(Pipeline, AYHasThreeTipsAndOneJunction) {
   EXPECT_EQ(count_kind(skeleton, NodeKind::kJunction), 1U);
 }
 
+TEST(Pipeline, ABentArmKeepsItsGraph) {
+  // A body with one arm, whose forearm turns at the elbow.
+  const Vec3 shoulder(0, 0, 0.7);
+  const Vec3 elbow(1.8, 0.1, 0.7);
+  for (const double bend : {0.0, 0.7, 1.3, 1.9}) {
+    const Vec3 hand = elbow + 1.6 * Vec3(std::cos(bend), 0.1, std::sin(bend));
+    const TriangleSurface body =
+        polygonise(united({capsule({0, 0, -1.5}, {0, 0, 1.5}, 0.6), capsule(shoulder, elbow, 0.3),
+                           capsule(elbow, hand, 0.3)}),
+                   {-1, -1, -2.5}, {4, 1, 2.8}, 0.11);
+    const Study study(body);
+    EXPECT_EQ(count_kind(study.skeleton(), NodeKind::kTip), 3U) << "bent by " << bend;
+    EXPECT_EQ(count_kind(study.skeleton(), NodeKind::kJunction), 1U) << "bent by " << bend;
+  }
+}
+
+TEST(Pipeline, NoiseChangesAtMostOneLeaf) {
+  // Along the normals, so that no faces come to cross.
+  const TriangleSurface smooth = y_shape();
+  std::vector<Vec3> normal(smooth.points.size(), Vec3::Zero());
+  for (const Triangle& t : smooth.triangles) {
+    const Vec3 side = smooth.points[t[1]] - smooth.points[t[0]];
+    const Vec3 area = side.cross(smooth.points[t[2]] - smooth.points[t[0]]);
+    for (const Index v : t) normal[v] += area;
+  }
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    TriangleSurface noisy = smooth;
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> shift(-0.002, 0.002);  // of the diagonal
+    const double diagonal = bounding_box_diagonal(smooth.points);
+    for (std::size_t v = 0; v < normal.size(); ++v) {
+      noisy.points[v] += diagonal * shift(engine) * normal[v].normalized();
+    }
+    const std::size_t tips = count_kind(Study(noisy).skeleton(), NodeKind::kTip);
+    EXPECT_GE(tips, 2U);
+    EXPECT_LE(tips, 4U);
+  }
+}
+
 TEST(Pipeline, ACapsulesSkeletonLiesOnItsAxis) {
   const CurveSkeleton skeleton = Study(capsule_surface()).skeleton();
   const SignedDistance to_axis = capsule({-2, 0.1, 0}, {2, 0, 0.1}, 0.0);
