@@ -41,6 +41,8 @@ files::FileMesh read_file(const std::string& path) {
 }
 
 bool same_in_single_precision(double precise, double single) {
+  // Not a number, or too large: no fault of the file. The diagnosis tells.
+  if (!std::isfinite(single)) return !(std::abs(precise) <= std::numeric_limits<float>::max());
   return std::abs(precise - single) <= std::numeric_limits<float>::epsilon() * std::abs(precise) +
                                            std::numeric_limits<float>::min();
 }
@@ -59,7 +61,7 @@ TriangleSurface with_precise_coordinates(TriangleSurface mesh, const std::string
       if (!same_in_single_precision(file.points[v][i], coordinate)) {
         refuse(path, "its vertex " + std::to_string(v) + " isn't where the layer's is.");
       }
-      coordinate = file.points[v][i];
+      if (std::isfinite(coordinate)) coordinate = file.points[v][i];
     }
   }
   return mesh;

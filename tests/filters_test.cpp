@@ -472,6 +472,29 @@ TEST(ExportFiles, OfARefusedMeshLeavesTheReasonAlone) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
 
+TEST(ExportFiles, LeavesANumberThatIsNoneToTheDiagnosis) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path());
+  TriangleSurface broken = small_torus();
+  broken.points[0].x() = std::numeric_limits<double>::quiet_NaN();
+  std::ofstream file(folder.path() / "precise.off");
+  file.precision(17);
+  file << "OFF\n" << broken.points.size() << ' ' << broken.triangles.size() << " 0\n";
+  for (const Vec3& p : broken.points) file << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+  for (const Triangle& t : broken.triangles) {
+    file << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+  }
+  file.close();
+  Workbench workbench;
+  const FilterOutcome outcome =
+      run("Export Curve Skeleton Files", broken, workbench, [&](ParameterValues& values) {
+        values.set("outputFolder", (folder.path() / "out").string());
+        values.set("coordinatesFile", (folder.path() / "precise.off").string());
+      });
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_EQ(outcome.failure->code, "non_finite");
+}
+
 TEST(ExportFiles, TakesTheDigitsOfTheCoordinatesFile) {
   const TemporaryFolder folder;
   fs::create_directories(folder.path());

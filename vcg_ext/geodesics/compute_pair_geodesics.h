@@ -77,7 +77,7 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
   const HalfedgeMesh mesh = make_halfedge_mesh(question.surface());
   PairPaths paths(pairs.size());
   const bool is_proving = options.wanted != Certification::kUnproven;
-  // What is to be proven needs but a bound before: half an edge too long costs next to nothing.
+  // What is to be proven needs but a bound before: a quarter of an edge too long costs nothing.
   CoherentPaths carrier(mesh, question.pairs(), question.links(),
                         is_proving ? ShorteningEffort::kRough : ShorteningEffort::kFull,
                         options.threads, paths);

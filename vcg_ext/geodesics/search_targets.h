@@ -22,8 +22,8 @@ struct PropagationTarget {
 /// The targets of one search after the other on one mesh.
 ///
 /// A window or a point matters to a target if what is covered so far, and from there the straight
-/// line in space, is not longer than the target's bound: all points that matter lie in a
-/// union of ellipsoids.
+/// line in space, is not longer than the target's bound: all points that matter lie in a union
+/// of ellipsoids.
 class SearchTargets {
  public:
   struct Target {
