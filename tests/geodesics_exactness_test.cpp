@@ -165,6 +165,25 @@ TEST(GeodesicsExactness, VertexFiltersChangeNothing) {
   }
 }
 
+TEST(GeodesicsExactness, NumbersOfVerticesChangeNothing) {
+  // Numbered from the other end, each pair runs the other way and so do its tangents.
+  const TriangleSurface rough = bumpy_sphere(3, 0.2, 4);
+  const Index last = to_index(rough.points.size()) - 1;
+  TriangleSurface turned = rough;
+  std::reverse(turned.points.begin(), turned.points.end());
+  for (Triangle& t : turned.triangles) {
+    for (Index& v : t) v = last - v;
+  }
+  const std::vector<VertexPair> pairs = random_pairs(rough, 200, 3);
+  std::vector<VertexPair> turned_pairs;
+  for (const auto& [a, b] : pairs) turned_pairs.push_back({last - b, last - a});
+  const PairGeodesics one = compute_pair_geodesics(rough, pairs, {}, {});
+  const PairGeodesics other = compute_pair_geodesics(turned, turned_pairs, {}, {});
+  EXPECT_EQ(one.length, other.length);
+  EXPECT_EQ(one.tangent_a, other.tangent_b);
+  EXPECT_EQ(one.tangent_b, other.tangent_a);
+}
+
 TEST(GeodesicsExactness, TheTightestBoundStillFindsTheTarget) {
   // One target at a time, bounded by its own distance: nothing on the way may be dropped.
   const TriangleSurface rough = bumpy_sphere(3, 0.25, 11);
