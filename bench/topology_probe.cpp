@@ -1,32 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints what the topology stage makes of each OFF file given: counts, certificate, CPU seconds.
+// Prints a line on each mesh given: what the topology stage, on one thread, makes of it.
 #include <cstdio>
-#include <ctime>
-#include <fstream>
+#include <cstdlib>
+#include <exception>
 #include <string>
 
-#include "vcg_ext/medial/recover_interior.h"
+#include "bench_support.h"
+#include "vcg_ext/mgf_skeleton.h"
 
 namespace {
 
-mgf::TriangleSurface read_off(const std::string& path) {
-  std::ifstream in(path);
-  std::string word;
-  std::size_t points = 0;
-  std::size_t faces = 0;
-  std::size_t edges = 0;
-  in >> word >> points >> faces >> edges;
-  mgf::TriangleSurface surface;
-  surface.points.resize(points);
-  surface.triangles.resize(faces);
-  for (mgf::Vec3& p : surface.points) in >> p.x() >> p.y() >> p.z();
-  for (mgf::Triangle& t : surface.triangles) {
-    int corners = 0;
-    in >> corners >> t[0] >> t[1] >> t[2];
-    in.ignore(1000, '\n');
-  }
-  return surface;
-}
+constexpr const char* kUsage = "usage: topology_probe [--keep-surface] MESH...\n";
 
 const char* word(mgf::TopologyVerdict verdict) {
   switch (verdict) {
@@ -40,25 +24,51 @@ const char* word(mgf::TopologyVerdict verdict) {
   return "";
 }
 
+std::string to_text(const mgf::BettiNumbers& betti) {
+  return std::to_string(betti.b0) + "/" + std::to_string(betti.b1) + "/" + std::to_string(betti.b2);
+}
+
+// Throws what the reader and the stage throw.
+void probe(const std::string& path, const mgf::MedialAxisOptions& options) {
+  const mgf::MedialAxis axis = mgf::compute_medial_axis(mgf::bench::read_surface(path), options);
+  double stage = 0.0;
+  double complex = 0.0;
+  for (const mgf::StageTime& time : axis.times) {
+    if (time.stage == "topology") stage = time.seconds;
+    if (time.stage == "medial_complex") complex = time.seconds;
+  }
+  const mgf::TopologyCertificate& c = axis.interior.certificate;
+  std::printf(
+      "%s: %u vertices, %u flips, +%u points, %zu tetrahedra, %s b %s (%s), missing %u extra %u "
+      "negative %u conflicts %u buried %u, %.2f s, complex %.2f s\n",
+      path.substr(path.rfind('/') + 1).c_str(), axis.interior.input_points, c.surface_flips,
+      c.points_added, axis.interior.tetrahedra.size(), word(c.topology), to_text(c.betti).c_str(),
+      to_text(c.expected).c_str(), c.boundary_faces_missing, c.boundary_faces_extra,
+      c.tetrahedra_not_positive, c.winding_conflicts, c.interior_vertices, stage, complex);
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    const mgf::TriangleSurface surface = read_off(argv[i]);
-    const std::clock_t start = std::clock();
-    const mgf::InteriorTetrahedra interior = mgf::recover_interior(surface, {});
-    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    const mgf::TopologyCertificate& c = interior.certificate;
-    const std::string path = argv[i];
-    std::printf(
-        "%s: %zu vertices, %u flips, +%u points, %zu tetrahedra, %s b %u/%u/%u (%u/%u/%u), "
-        "missing %u extra %u negative %u conflicts %u buried %u, %.2f s\n",
-        path.substr(path.rfind('/') + 1).c_str(), surface.points.size(), c.surface_flips,
-        c.points_added, interior.tetrahedra.size(), word(c.topology), c.betti.b0, c.betti.b1,
-        c.betti.b2, c.expected.b0, c.expected.b1, c.expected.b2, c.boundary_faces_missing,
-        c.boundary_faces_extra, c.tetrahedra_not_positive, c.winding_conflicts, c.interior_vertices,
-        seconds);
+int main(int count, char** values) {
+  mgf::MedialAxisOptions options;
+  options.use_threads(1);
+  int status = EXIT_SUCCESS;
+  int meshes = 0;
+  for (int i = 1; i < count; ++i) {
+    const std::string argument = values[i];
+    if (argument == "--keep-surface") {
+      options.recovery.recover_input_surface = true;
+      continue;
+    }
+    ++meshes;
+    try {
+      probe(argument, options);
+    } catch (const std::exception& error) {
+      std::printf("%s: %s\n", argument.c_str(), error.what());
+      status = EXIT_FAILURE;
+    }
     std::fflush(stdout);
   }
-  return 0;
+  if (meshes == 0) std::fputs(kUsage, stderr);
+  return meshes == 0 ? 2 : status;
 }

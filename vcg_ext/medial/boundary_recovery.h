@@ -104,13 +104,23 @@ class BoundaryRecovery {
       rises = stuck.size() > stuck_before && round > 0 ? rises + 1 : 0;
       if (rises >= kRisesAllowed) return false;
       stuck_before = stuck.size();
-      for (const Edge& e : stuck) {
-        if (missing(e) && !split_edge(e)) return false;
-      }
+      if (!split_stuck_edges(stuck)) return false;
     }
     return true;
   }
 
+  // An edge without room for a point waits for the next round, as splits of others make room.
+  bool split_stuck_edges(const std::vector<Edge>& stuck) {
+    const Index before = splitter_.points_added();
+    for (const Edge& e : stuck) {
+      if (!missing(e)) continue;
+      if (!split_edge(e)) edges_.push_back(e);
+      if (splitter_.points_added() > limits_.added_points) return false;
+    }
+    return edges_.empty() || splitter_.points_added() > before;
+  }
+
+  // A face without room for a point waits for the next round, too.
   bool recover_faces(const Progress& progress) {
     std::vector<Index> faces;
     faces.swap(faces_);
@@ -118,6 +128,8 @@ class BoundaryRecovery {
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     ClearingEffort effort;
     effort.recursive_attempts = limits_.recursive_attempts;
+    bool waiting = false;
+    const Index before = splitter_.points_added();
     for (const Index f : faces) {
       progress.report(1.0, "topology");
       const auto [a, b, c] = surface_.face(f);
@@ -128,9 +140,14 @@ class BoundaryRecovery {
       if (mesh_.find_face(a, b, c) != kNone) continue;
       const TriangleObstacle obstacle{a, b, c};
       if (clearing_.clear(obstacle, effort)) continue;
-      if (!split_face(obstacle)) return false;
+      if (split_face(obstacle)) {
+        if (splitter_.points_added() > limits_.added_points) return false;
+      } else {
+        faces_.push_back(f);
+        waiting = true;
+      }
     }
-    return true;
+    return !waiting || splitter_.points_added() > before;
   }
 
   bool split_edge(const Edge& e) {
@@ -142,10 +159,10 @@ class BoundaryRecovery {
     return watch_all(splitter_.split_face(triangle, clearing_.finder().find(triangle)));
   }
 
-  // False if there is nothing to watch, as no point could be placed, or the points are used up.
+  // False if there is nothing to watch, as no point could be placed.
   bool watch_all(const std::vector<Index>& faces) {
     for (const Index f : faces) watch_face(f);
-    return !faces.empty() && splitter_.points_added() <= limits_.added_points;
+    return !faces.empty();
   }
 
   static constexpr int kRisesAllowed = 3;
