@@ -138,7 +138,7 @@ CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
   const SurfaceTree tree(axis.working.surface);
   const bool self_intersecting = axis.diagnosis.find("self_intersections") != nullptr;
   result.hierarchy =
-      build_skeleton_hierarchy(axis.interior, axis.complex, field, axis.surface.surface.points,
+      build_skeleton_hierarchy(axis.interior, axis.complex, field, axis.surface.surface,
                                bounding_box_diagonal(axis.interior.points), options,
                                shape_interior(tree, self_intersecting));
   clock.finish("skeleton", result.times);

@@ -11,6 +11,7 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/medial_complex.h"
 #include "vcg_ext/medial/medial_geodesic_function.h"
+#include "vcg_ext/skeleton/tangent_balls.h"
 
 namespace mgf {
 
@@ -35,17 +36,29 @@ inline Vec3 normal_towards_facet(const Vec3& a, const Vec3& b, const Vec3& c) {
   return norm > kCollinear * (c - a).norm() ? Vec3(-height / norm) : Vec3(Vec3::Zero());
 }
 
+/// Whether the balls round both ends of a Voronoi edge are tangent to the surface at its contacts.
+inline bool has_tangent_balls(const MedialComplex& complex, const BallTangency& balls, Index edge) {
+  const auto& ends = complex.edge_vertices[edge];
+  const Triangle& contacts = complex.edge_contacts[edge];
+  return std::all_of(contacts.begin(), contacts.end(), [&](Index contact) {
+    return balls.tangent(complex.position[ends[0]], contact) &&
+           balls.tangent(complex.position[ends[1]], contact);
+  });
+}
+
 }  // namespace detail
 
 /// For each Voronoi edge E the largest d_E(F) = v(F) · n over its incident facets F: the smallest
 /// theta above which the gradient flow of *every* facet sinks into E. In [-1, 1]; `kUnmarkable` on
-/// the boundary of M_T (at most one facet), beside a displaced vertex, and where a facet's gradient
-/// or normal vanishes. `points` are the surface's, numbered as the contacts.
+/// the boundary of M_T (at most one facet), beside a displaced vertex, where a facet's gradient or
+/// normal vanishes, and where the balls round E's ends cut through the surface at a contact: there
+/// the sample is too sparse for flows to mean anything. `surface` is numbered as the contacts.
 inline std::vector<double> divergence_scores(const MedialComplex& complex,
                                              const MedialGeodesicField& field,
-                                             const std::vector<Vec3>& points,
-                                             unsigned threads = 1) {
+                                             const TriangleSurface& surface, unsigned threads = 1) {
   constexpr std::size_t kChunk = 4096;
+  const std::vector<Vec3>& points = surface.points;
+  const BallTangency balls(surface);
   std::vector<double> score(complex.edge_count(), kUnmarkable);
   parallel_for(score.size(), threads, kChunk, [&](std::size_t e, unsigned) {
     const auto& ends = complex.edge_vertices[e];
@@ -65,7 +78,9 @@ inline std::vector<double> divergence_scores(const MedialComplex& complex,
       if (defined) inflow = gradient.dot(normal);
       largest = std::max(largest, inflow);
     }
-    if (facets >= 2) score[e] = largest;
+    if (facets < 2) return;
+    const bool marks_nothing = largest >= 0.0;  // so it need not be looked at
+    if (marks_nothing || detail::has_tangent_balls(complex, balls, to_index(e))) score[e] = largest;
   });
   return score;
 }

@@ -91,24 +91,24 @@ inline VoronoiSkeleton contract_coincident_nodes(const VoronoiSkeleton& drawing,
 }  // namespace detail
 
 /// Marks at the loosest theta, erodes once, and draws what is left inside the shape.
-/// `surface_points` are numbered as the contacts; `scale` is a length of the size of the shape (its
+/// `surface` is numbered as the contacts; `scale` is a length of the size of the shape (its
 /// diagonal).
 inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& interior,
                                                   const MedialComplex& complex,
                                                   const MedialGeodesicField& field,
-                                                  const std::vector<Vec3>& surface_points,
-                                                  double scale, const SkeletonOptions& options,
+                                                  const TriangleSurface& surface, double scale,
+                                                  const SkeletonOptions& options,
                                                   const ShapeInterior& shape) {
   const unsigned threads = thread_count(options.threads);
-  const ErosionOrder order = order_cells(complex, field.mgf, surface_points, threads);
-  const std::vector<double> score = divergence_scores(complex, field, surface_points, threads);
+  const ErosionOrder order = order_cells(complex, field.mgf, surface.points, threads);
+  const std::vector<double> score = divergence_scores(complex, field, surface, threads);
   const std::vector<Index> marks =
       choose_marks(complex, score, order.edge_rank, kLoosestTheta, options.marking_rule);
   const ErodedComplex eroded =
       Erosion(complex, order, field.mgf).run(marks, score, options.open_pockets);
   const ThetaBirths births = compute_theta_births(complex, eroded, order, kLoosestTheta);
   VoronoiSkeleton drawing = detail::contract_coincident_nodes(
-      draw_skeleton(complex, field, surface_points, eroded, births, threads), scale);
+      draw_skeleton(complex, field, surface.points, eroded, births, threads), scale);
   route_inside(interior, shape, threads, drawing);
 
   SkeletonHierarchy hierarchy;
