@@ -116,6 +116,21 @@ TEST(Smoothing, ShiftsNoFurtherThanAllowedEvenWhereTheZigzagIsWild) {
   expect_faithful(raw, graph, smooth_skeleton(raw, graph, everywhere()), 0.1);
 }
 
+TEST(Smoothing, StraightensTheZigzagOfAPlateThinnerThanItsMesh) {
+  // From side to side of a blade of width 4 whose ball has a radius of 0.1.
+  std::vector<Vec3> nodes{Vec3::Zero()};
+  std::vector<std::array<Index, 2>> edges;
+  add_polyline(nodes, edges, 0, kNone, 80,
+               [](double t) { return Vec3(20 * t, std::lround(80 * t) % 4 < 2 ? 0.0 : 0.4, 0.0); });
+  CurveSkeleton raw = tube_skeleton(nodes, edges, 0.1);
+  for (double& mgf : raw.node_mgf) mgf = 4.0;
+  const BranchGraph graph = build_branches(raw);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere());
+  expect_faithful(raw, graph, smooth, 0.5 * 4.0 / M_PI);
+  EXPECT_LE(smooth.mean_turning, 5 * kDegree);
+  for (const double radius : smooth.radius) EXPECT_DOUBLE_EQ(radius, 0.1);
+}
+
 TEST(Smoothing, FollowsTheRawCurveWhereNothingElseIsInside) {
   const CurveSkeleton raw = shaken(line_skeleton(6.0, 20, 1.0), 0.2, 4);
   const auto only_on_it = [&](const Vec3& a, const Vec3& b) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A branch as a curve with a parameter that counts local radii, and points taken evenly along it.
+//
+// A tube has one radius; a blade has two: that of its ball, half its thickness, and that of the
+// tube with its MGF, which is about its width.
 #pragma once
 
 #include <algorithm>
@@ -7,17 +10,25 @@
 #include <cstddef>
 #include <vector>
 
+#include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 
 namespace mgf {
 
+/// Which radius lengths along a branch and across it are counted in.
+enum class LocalRadius {
+  kBall,  ///< the distance to the nearest contact point
+  kTube,  ///< MGF / pi, or that of the ball if it is larger
+};
+
 /// A branch's nodes with their parameter: arc length measured in local radii.
 struct BranchCurve {
   std::vector<Vec3> point;        ///< one per node of the branch
-  std::vector<double> radius;     ///< likewise
+  std::vector<double> radius;     ///< likewise, of the ball
   std::vector<double> mgf;        ///< likewise
+  std::vector<double> unit;       ///< likewise: the radius that lengths are counted in
   std::vector<double> parameter;  ///< likewise; not falling, 0 at the first node
 };
 
@@ -27,27 +38,33 @@ struct CurveSample {
   Vec3 point = Vec3::Zero();
   double radius = 0.0;
   double mgf = 0.0;
+  double unit = 0.0;
 };
 
 /// Radii below this share of the branch's largest count as it, so that a pinch gets no crowd of
 /// samples.
 inline constexpr double kLeastRadiusShare = 0.1;
 
-inline BranchCurve branch_curve(const CurveSkeleton& skeleton, const Branch& branch) {
+inline BranchCurve branch_curve(const CurveSkeleton& skeleton, const Branch& branch,
+                                LocalRadius counted) {
   BranchCurve curve;
   for (const Index v : branch.nodes) {
+    const double ball = skeleton.radius[v];
+    const double tube = skeleton.node_mgf[v] / kPi;
     curve.point.push_back(skeleton.position[v]);
-    curve.radius.push_back(skeleton.radius[v]);
+    curve.radius.push_back(ball);
     curve.mgf.push_back(skeleton.node_mgf[v]);
+    curve.unit.push_back(counted == LocalRadius::kTube ? std::max(ball, tube) : ball);
   }
-  const double least = branch.radius_max > 0.0 ? kLeastRadiusShare * branch.radius_max
-                                               : std::max(branch.length, 1e-300);
+  const double largest = *std::max_element(curve.unit.begin(), curve.unit.end());
+  const double least =
+      largest > 0.0 ? kLeastRadiusShare * largest : std::max(branch.length, 1e-300);
+  for (double& unit : curve.unit) unit = std::max(unit, least);
   curve.parameter.push_back(0.0);
   for (std::size_t i = 1; i < curve.point.size(); ++i) {
-    const double radius =
-        0.5 * (std::max(curve.radius[i - 1], least) + std::max(curve.radius[i], least));
+    const double unit = 0.5 * (curve.unit[i - 1] + curve.unit[i]);
     const double length = (curve.point[i] - curve.point[i - 1]).norm();
-    curve.parameter.push_back(curve.parameter.back() + length / radius);
+    curve.parameter.push_back(curve.parameter.back() + length / unit);
   }
   return curve;
 }
@@ -82,6 +99,7 @@ inline std::vector<CurveSample> sample_evenly(const BranchCurve& curve, std::siz
     sample.point = blend(curve.point);
     sample.radius = blend(curve.radius);
     sample.mgf = blend(curve.mgf);
+    sample.unit = blend(curve.unit);
   }
   samples.front().point = curve.point.front();
   samples.back().point = curve.point.back();
