@@ -5,8 +5,6 @@
 #include <sys/resource.h>
 
 #include <chrono>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,7 +12,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "bench/program.h"
 #include "filter_mgf_skeleton/io/peak_memory.h"
 #include "filter_mgf_skeleton/tools/file_mesh.h"
 #include "vcg_ext/core/types.h"
@@ -62,19 +62,16 @@ class Stopwatch {
   double cpu_start_ = cpu_seconds();
 };
 
-/// Runs `measure`, prints the JSON that it returns in one line, and turns what is thrown into a
-/// message and exit status 1.
+/// Prints `line` with the peak memory in one line.
+inline void print_line(Json line) {
+  line["peak_memory_mb"] = io::peak_memory_mb();
+  std::cout << line.dump() << std::endl;
+}
+
+/// Prints what `measure` returns; see `guarded` for what it throws.
 template <class Measure>
 int report_line(const Measure& measure) {
-  try {
-    Json line = measure();
-    line["peak_memory_mb"] = io::peak_memory_mb();
-    std::cout << line.dump() << std::endl;
-    return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  return guarded([&] { print_line(measure()); });
 }
 
 }  // namespace mgf::bench

@@ -4,14 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <iostream>
+#include <functional>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "known_shapes.h"
+#include "bench/known_shapes.h"
+#include "bench/program.h"
 #include "vcg_ext/mgf_skeleton.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/smoothing.h"
@@ -249,9 +251,9 @@ void run(const Arguments& arguments) {
       {"tree", [&] { return bench::random_tree(25, 0.4, 0.13 * coarser, seed + 2); }},
       {"grid", [&] { return bench::grid_of_tubes(2, 0.5, 0.12 * coarser); }},
       {"grid", [&] { return bench::grid_of_tubes(3, 0.4, 0.12 * coarser); }},
-      {"paddle", [] { return bench::paddle(); }},
-      {"block", [] { return bench::block(2.0, 1.0); }},
-      {"block", [] { return bench::block(1.0, 1.0); }},
+      {"paddle", [&] { return bench::paddle(coarser); }},
+      {"block", [&] { return bench::block(2.0, 1.0, 0.1 * coarser); }},
+      {"block", [&] { return bench::block(1.0, 1.0, 0.1 * coarser); }},
       {"ellipsoid", [&] { return bench::ellipsoid(1.5, 1.0, 0.11 * coarser); }},
       {"ellipsoid", [&] { return bench::ellipsoid(1.0, 1.0, 0.11 * coarser); }},
   };
@@ -263,18 +265,6 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 int main(int count, char** values) {
-  Arguments arguments;
-  try {
-    arguments = parse(count, values);
-  } catch (const std::exception&) {  // an unknown word, number or option: all are wrong usage
-    std::cerr << kUsage;
-    return 2;
-  }
-  try {
-    run(arguments);
-    return EXIT_SUCCESS;
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  return mgf::bench::run_program(
+      kUsage, [&] { return parse(count, values); }, run);
 }

@@ -290,18 +290,17 @@ inline KnownShape grid_of_tubes(int n, double radius, double step) {
 
 /// A rod that widens to a blade (see `test::paddle`); radius is that of the rod or half the blade's
 /// thickness.
-inline KnownShape paddle() {
+inline KnownShape paddle(double coarser) {
   return {"paddle",
-          test::paddle(),
+          test::paddle(coarser),
           {{Vec3(0.5, 0, 0), Vec3(5.0, 0, 0), 0.5}, {Vec3(5.0, 0, 0), Vec3(10.8, 0, 0), 0.2}},
           0,
           2,
           0};
 }
 
-/// A bar of the given width and height, 6 long.
-inline KnownShape block(double width, double height) {
-  const double step = std::min(width, height) / 10;
+/// A bar of the given width and height, 6 long, with edges of about `step`.
+inline KnownShape block(double width, double height, double step) {
   const Index sides = static_cast<Index>(2 * (width + height) / step);
   return {"block",
           test::lofted(6.0, static_cast<Index>(6.0 / step), sides,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Times the way from a mesh file to its curve skeleton, stage by stage; prints one line of JSON.
 #include <algorithm>
-#include <cstdlib>
-#include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -105,12 +103,7 @@ Json measure(const Arguments& arguments) {
 }  // namespace
 
 int main(int count, char** values) {
-  Arguments arguments;
-  try {
-    arguments = parse(count, values);
-  } catch (const std::exception&) {  // an unknown word, number or option: all are wrong usage
-    std::cerr << kUsage;
-    return 2;
-  }
-  return mgf::bench::report_line([&] { return measure(arguments); });
+  return mgf::bench::run_program(
+      kUsage, [&] { return parse(count, values); },
+      [](const Arguments& arguments) { mgf::bench::print_line(measure(arguments)); });
 }

@@ -101,8 +101,11 @@ inline TriangleSurface lofted(double length, Index rings, Index sides, const Sec
 }
 
 /// A round rod of diameter 1 for x < 5 that widens to a blade of 4 by 0.4 for x > 5.5, 11 long.
-inline TriangleSurface paddle() {
-  return lofted(11.0, 130, 72, [](double x, double u) {
+/// Edges are about 0.12 long, or that times `coarser`.
+inline TriangleSurface paddle(double coarser = 1.0) {
+  const auto rings = static_cast<Index>(130 / coarser);
+  const auto sides = static_cast<Index>(72 / coarser);
+  return lofted(11.0, rings, sides, [](double x, double u) {
     const std::array<double, 2> rod = circle_section(0.5, u);
     const std::array<double, 2> blade = rectangle_section(4.0, 0.4, u);
     const double t = std::clamp((x - 5.0) / 0.5, 0.0, 1.0);
