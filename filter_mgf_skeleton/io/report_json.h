@@ -92,7 +92,9 @@ inline Json section(const TopologyCertificate& certificate) {
           {"betti", section(certificate.betti)},
           {"expected", section(certificate.expected)},
           {"surface_flips", certificate.surface_flips},
-          {"points_added", certificate.points_added}};
+          {"points_added", certificate.points_added},
+          {"exact_points", certificate.exact_points},
+          {"tetrahedra_flattened", certificate.tetrahedra_flattened}};
 }
 
 inline Json section(const MgfReport& mgf) {

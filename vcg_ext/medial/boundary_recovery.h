@@ -88,25 +88,30 @@ class BoundaryRecovery {
     std::size_t stuck_before = 0;
     int rises = 0;
     for (int round = 0; !edges_.empty(); ++round) {
-      std::vector<Edge> stuck = take_missing_edges();
-      for (const int depth : {0, 2}) {
-        progress.report(1.0 - 1.0 / (1.0 + round), "topology");
-        ClearingEffort effort;
-        effort.depth = depth;
-        effort.recursive_attempts = limits_.recursive_attempts;
-        std::vector<Edge> left;
-        for (const Edge& e : stuck) {
-          if (missing(e) && !clearing_.clear(SegmentObstacle{e[0], e[1]}, effort))
-            left.push_back(e);
-        }
-        stuck.swap(left);
-      }
+      const double share = 1.0 - 1.0 / (1.0 + round);
+      const std::vector<Edge> stuck = clear_edges(take_missing_edges(), share, progress);
       rises = stuck.size() > stuck_before && round > 0 ? rises + 1 : 0;
       if (rises >= kRisesAllowed) return false;
       stuck_before = stuck.size();
       if (!split_stuck_edges(stuck)) return false;
     }
     return true;
+  }
+
+  // Flips. Gives the edges that resist.
+  std::vector<Edge> clear_edges(std::vector<Edge> edges, double share, const Progress& progress) {
+    for (const int depth : {0, 2}) {
+      ClearingEffort effort;
+      effort.depth = depth;
+      effort.recursive_attempts = limits_.recursive_attempts;
+      std::vector<Edge> stuck;
+      for (const Edge& e : edges) {
+        progress.report(share, "topology");
+        if (missing(e) && !clearing_.clear(SegmentObstacle{e[0], e[1]}, effort)) stuck.push_back(e);
+      }
+      edges.swap(stuck);
+    }
+    return edges;
   }
 
   // An edge without room for a point waits for the next round, as splits of others make room.

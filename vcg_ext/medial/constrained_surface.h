@@ -78,6 +78,16 @@ class ConstrainedSurface {
   /// Makes room for one more vertex.
   void add_vertex() { faces_at_.emplace_back(); }
 
+  /// Adds a face; two corners may be equal, as of a mere edge to be kept.
+  Index add_face(const Triangle& face) {
+    const Index f = to_index(faces_.size());
+    faces_.push_back(face);
+    for (const Index v : face) {
+      if (faces_at_[v].empty() || faces_at_[v].back() != f) faces_at_[v].push_back(f);
+    }
+    return f;
+  }
+
   /// Halves all faces at the edge ab by the new vertex m. Returns the faces that changed or are
   /// new.
   std::vector<Index> split_edge(Index a, Index b, Index m) {
@@ -115,13 +125,6 @@ class ConstrainedSurface {
   static bool follows(const Triangle& face, Index a, Index b) {
     return (face[0] == a && face[1] == b) || (face[1] == a && face[2] == b) ||
            (face[2] == a && face[0] == b);
-  }
-
-  Index add_face(const Triangle& face) {
-    const Index f = to_index(faces_.size());
-    faces_.push_back(face);
-    for (const Index v : face) faces_at_[v].push_back(f);
-    return f;
   }
 
   void replace_face(Index f, const Triangle& face) {

@@ -3,6 +3,7 @@
 // crosses itself.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -66,6 +67,13 @@ inline std::vector<char> inside_marks(const Evidence& evidence) {
 inline InteriorTetrahedra certified(InteriorTetrahedra interior, const Evidence& evidence,
                                     bool embedded) {
   std::vector<Triangle> boundary = evidence.recovered.surface.faces();
+  const TetrahedralMesh& mesh = evidence.recovered.mesh;
+  interior.certificate.exact_points = to_index(mesh.exact_point_count());
+  if (interior.certificate.exact_points != 0) {
+    interior.certificate.tetrahedra_not_positive = to_index(static_cast<std::size_t>(std::count_if(
+        interior.tetrahedra.begin(), interior.tetrahedra.end(),
+        [&](const Tetrahedron& t) { return mesh.orientation(t[0], t[1], t[2], t[3]) <= 0; })));
+  }
   restore_numbers(interior, boundary, evidence.ordered, evidence.input.points);
   collect_boundary(interior);
   interior.certificate.expected = evidence.expected;

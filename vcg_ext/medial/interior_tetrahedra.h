@@ -41,6 +41,9 @@ struct TopologyCertificate {
   BettiNumbers expected;              ///< shells, sum of genera, 0
   Index surface_flips = 0;            ///< edges flipped on the way from T to T'
   Index points_added = 0;             ///< points that recovery had to add on T'
+  Index exact_points = 0;             ///< of these, made by exact splits: all checks hold for exact
+                                      ///< positions on T, of which `points` are the nearest doubles
+  Index tetrahedra_flattened = 0;     ///< tetrahedra that rounding to doubles leaves not positive
 };
 
 /// The interior of a closed surface as tetrahedra whose corners lie on the surface.

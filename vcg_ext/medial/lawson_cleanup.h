@@ -2,6 +2,7 @@
 // After recovery: back to locally Delaunay where the surface allows it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -44,6 +45,10 @@ class LawsonCleanup {
     const Triangle face = face_of(corners, i);
     const Index p = corners[i];
     const Index q = across(u, face);
+    if (std::any_of(corners.begin(), corners.end(), [&](Index v) { return mesh_.is_exact(v); }) ||
+        mesh_.is_exact(q)) {
+      return;  // in_sphere has doubles only
+    }
     const int inside = in_sphere(mesh_.point(corners[0]), mesh_.point(corners[1]),
                                  mesh_.point(corners[2]), mesh_.point(corners[3]), mesh_.point(q));
     if (inside <= 0 || surface_.has_face(face[0], face[1], face[2])) return;

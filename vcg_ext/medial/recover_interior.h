@@ -20,6 +20,8 @@ namespace mgf {
 
 /// How the interior is found.
 struct RecoveryOptions {
+  bool exact_recovery = false;  ///< go to the last resort at once: T' = T as a point set, with
+                                ///< however many points on it that takes
   bool recover_input_surface = false;  ///< T' = T: no surface flips at all
   bool lift_overlaps = true;        ///< where the surface passes through itself, keep both copies
   std::size_t known_crossings = 0;  ///< pairs of faces known to cross: if many, the surface is cut
@@ -31,12 +33,8 @@ namespace recovery_detail {
 
 // seed, spare points, growth, recursive attempts, flat flips, guided flips
 inline constexpr AttemptOptions kFirstAttempt = {1, 200, 0.05, 400, true, true};
-inline constexpr AttemptOptions kMoreAttempts[] = {{2, 200, 0.20, 400, true, false},
-                                                   {3, 200, 0.50, 400, false, false},
-                                                   {4, 200, 0.50, 1500, true, true},
-                                                   {5, 200, 0.50, 1500, false, false}};
-inline constexpr AttemptOptions kSoupAttempts[] = {{6, 200, 0.20, 400, true, false},
-                                                   {7, 200, 0.50, 1500, false, false}};
+inline constexpr AttemptOptions kSoupAttempts[] = {{2, 200, 0.20, 400, true, false},
+                                                   {3, 200, 0.50, 1500, false, false}};
 
 // Flips and splits serve a surface that crosses itself in no more pairs of faces.
 inline constexpr std::size_t kFewCrossings = 32;
@@ -54,13 +52,14 @@ class Attempts {
   void run() {
     if (options_.known_crossings > kFewCrossings && cut_along_crossings()) return;
     const BoxedSurface plain = boxed(ordered_);
+    if (options_.exact_recovery) {
+      consider(recover_exactly(plain, progress_));
+      return;
+    }
     attempt(plain, kFirstAttempt);
     if (verdict() == TopologyVerdict::kProven) return;
     if (exact::self_intersections(ordered_.surface, options_.threads).empty()) {
-      for (const AttemptOptions& way : kMoreAttempts) {
-        attempt(plain, way);
-        if (verdict() == TopologyVerdict::kProven) return;
-      }
+      consider(recover_exactly(plain, progress_));
     } else if (verdict() == TopologyVerdict::kFailed) {
       cut_along_crossings();
     }
@@ -76,11 +75,15 @@ class Attempts {
     way.flat_flips = way.flat_flips && !options_.recover_input_surface;
     way.guided_flips = way.guided_flips && !options_.recover_input_surface;
     const RecoveredMesh recovered = attempt_recovery(boxed_surface, way, progress_);
+    consider(recovered);
+    return recovered.complete;
+  }
+
+  void consider(const RecoveredMesh& recovered) {
     InteriorTetrahedra found =
         choose_interior(recovered, ordered_, surface_, expected_, options_.lift_overlaps,
                         thread_count(options_.threads));
     if (!best_ || shortfall(found) < shortfall(*best_)) best_ = std::move(found);
-    return recovered.complete;
   }
 
   // False if that can't be done. A complete recovery has nothing to gain from another.

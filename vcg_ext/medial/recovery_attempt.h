@@ -10,6 +10,7 @@
 #include "vcg_ext/medial/boundary_recovery.h"
 #include "vcg_ext/medial/boxed_surface.h"
 #include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/exact_recovery.h"
 #include "vcg_ext/medial/lawson_cleanup.h"
 #include "vcg_ext/medial/surface_flips.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
@@ -53,6 +54,21 @@ inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOp
   result.complete = recovery.run(progress);
   result.points_added = recovery.points_added();
   if (result.complete) LawsonCleanup(result.mesh, result.surface).run();
+  return result;
+}
+
+/// The last resort: T stays as it is, and gets as many points exactly on it as it takes. Complete
+/// for each surface that doesn't cross itself (docs/topology.md).
+inline RecoveredMesh recover_exactly(const BoxedSurface& boxed, const Progress& progress) {
+  RecoveredMesh result{
+      TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
+      ConstrainedSurface(boxed.points.size(), boxed.faces)};
+  const auto parts = ExactRecovery(result.mesh, boxed.faces).run(progress);
+  result.points_added = to_index(result.mesh.exact_point_count());
+  if (!parts) return result;
+  result.complete = true;
+  result.surface = ConstrainedSurface(result.mesh.points().size(), *parts);
+  LawsonCleanup(result.mesh, result.surface).run();
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/channel.h"
 #include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/simplex_split.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
 namespace mgf {
@@ -120,22 +121,13 @@ class SurfaceSplitter {
   // there is split too.
   std::optional<Index> insert(Index t, const std::array<Index, 4>& simplex, unsigned size,
                               const Vec3& p) {
-    const std::vector<Index> old = tetrahedra_round(t, simplex, size);
+    const std::vector<Index> old = tetrahedra_round(mesh_, t, simplex, size);
     if (old.empty()) return std::nullopt;
     const Index m = mesh_.add_point(p);
-    std::vector<Tetrahedron> made;
-    for (const Index o : old) {
-      for (unsigned k = 0; k < size; ++k) {
-        Tetrahedron corners = mesh_.corners(o);
-        corners[corner_index(corners, simplex[k])] = m;
-        if (mesh_.orientation(corners[0], corners[1], corners[2], corners[3]) <= 0) {
-          mesh_.drop_last_point();
-          return std::nullopt;
-        }
-        made.push_back(corners);
-      }
+    if (!split_simplex(mesh_, old, simplex, size, m)) {
+      mesh_.drop_last_point();
+      return std::nullopt;
     }
-    mesh_.replace(old, made);
     surface_.add_vertex();
     ++points_added_;
     if (size == 2 && surface_.has_edge(simplex[0], simplex[1])) {
@@ -144,22 +136,6 @@ class SurfaceSplitter {
       changed_ = surface_.split_face(simplex[0], simplex[1], simplex[2], m);
     }
     return m;
-  }
-
-  std::vector<Index> tetrahedra_round(Index t, const std::array<Index, 4>& simplex, unsigned size) {
-    if (size == 4) return {t};
-    if (size == 3) {
-      unsigned i = 0;
-      while (std::find(simplex.begin(), simplex.begin() + 3, mesh_.corners(t)[i]) !=
-             simplex.begin() + 3) {
-        ++i;
-      }
-      const Index u = mesh_.neighbour(t, i);
-      return u == kNone ? std::vector<Index>{} : std::vector<Index>{t, u};
-    }
-    EdgeRing ring;
-    const bool closed = mesh_.ring_of(t, simplex[0], simplex[1], mesh_.slot_count(), ring);
-    return closed ? ring.tetrahedra : std::vector<Index>{};
   }
 
   std::vector<Index> finish(std::vector<Index> faces) {

@@ -6,10 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/exact/exact_points.h"
 #include "vcg_ext/exact/predicates.h"
 
 namespace mgf {
@@ -77,9 +79,18 @@ class TetrahedralMesh {
   const Tetrahedron& corners(Index t) const { return corners_[t]; }
   Index neighbour(Index t, unsigned i) const { return neighbours_[t][i]; }
 
+  /// As `orient3d`, for exact points as well.
   int orientation(Index a, Index b, Index c, Index d) const {
+    if (exact_ && std::max(std::max(a, b), std::max(c, d)) >= first_exact_) {
+      return exact_->orientation(a, b, c, d);
+    }
     return orient3d(points_[a], points_[b], points_[c], points_[d]);
   }
+
+  /// Whether v has exact coordinates, of which `point` gives the nearest doubles.
+  bool is_exact(Index v) const { return v >= first_exact_; }
+  /// How many have.
+  std::size_t exact_point_count() const { return exact_ ? points_.size() - first_exact_ : 0; }
 
   /// Adds a point that belongs to no tetrahedron yet.
   Index add_point(const Vec3& p) {
@@ -88,8 +99,20 @@ class TetrahedralMesh {
     return to_index(points_.size() - 1);
   }
 
-  /// Takes back the last `add_point`, of a point that no tetrahedron has.
+  /// As `ExactPoints::add_on_segment`, of a point that belongs to no tetrahedron yet. All points
+  /// added from now on must be exact.
+  Index add_point_on_segment(Index a, Index b, const Triangle& xyz, unsigned bits) {
+    return add_point(exact_points().add_on_segment(a, b, xyz, bits));
+  }
+
+  /// As `ExactPoints::add_on_triangle`, likewise.
+  Index add_point_on_triangle(const Triangle& abc, Index p, Index q, unsigned bits) {
+    return add_point(exact_points().add_on_triangle(abc, p, q, bits));
+  }
+
+  /// Takes back the last point added, which no tetrahedron has.
   void drop_last_point() {
+    if (is_exact(to_index(points_.size() - 1))) exact_->drop_last();
     points_.pop_back();
     tetrahedron_at_.pop_back();
   }
@@ -186,6 +209,14 @@ class TetrahedralMesh {
   }
 
  private:
+  ExactPoints& exact_points() {
+    if (!exact_) {
+      exact_ = std::make_unique<ExactPoints>(points_);
+      first_exact_ = to_index(points_.size());
+    }
+    return *exact_;
+  }
+
   struct Change {
     std::vector<Index> removed;
     std::vector<Tetrahedron> corners;  // of `removed`
@@ -284,6 +315,8 @@ class TetrahedralMesh {
   }
 
   std::vector<Vec3> points_;
+  std::unique_ptr<ExactPoints> exact_;  // all points, once there is an exact one
+  Index first_exact_ = kNone;           // all from here on are
   std::vector<Tetrahedron> corners_;
   std::vector<std::array<Index, 4>> neighbours_;
   mutable std::vector<std::uint32_t> visit_;  // epoch of the last visit

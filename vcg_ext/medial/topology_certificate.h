@@ -119,7 +119,8 @@ inline bool is_manifold(const std::vector<Triangle>& faces, std::size_t point_co
 
 /// Fills the checks of `interior.certificate` that can be made on the interior alone, and the
 /// verdict. `boundary` is T' as recovery left it; `expected`, `winding_conflicts` and the counts of
-/// flips and points must have been filled in. `embedded` says that the interior is part of a
+/// flips and points must have been filled in, and if there are exact points,
+/// `tetrahedra_not_positive`, too. `embedded` says that the interior is part of a
 /// triangulation of a box that `is_triangulated_box` accepts.
 inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& boundary,
                     bool embedded, unsigned threads = 1) {
@@ -134,7 +135,9 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
     certificate.betti = betti_numbers(cells);
   };
   const auto compare_surfaces = [&] {
-    certificate.tetrahedra_not_positive = certificate_detail::not_positive(interior);
+    const Index flat = certificate_detail::not_positive(interior);
+    (certificate.exact_points == 0 ? certificate.tetrahedra_not_positive
+                                   : certificate.tetrahedra_flattened) = flat;
     const std::vector<Triangle> found = canonical_sorted(interior.boundary);
     const std::vector<Triangle> wanted = canonical_sorted(boundary);
     certificate.boundary_faces_missing = certificate_detail::count_difference(wanted, found);

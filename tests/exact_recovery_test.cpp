@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last resort of recovery: the surface as it is becomes part of the mesh, with exact points.
+#include "vcg_ext/medial/exact_recovery.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/fixtures.h"
+#include "vcg_ext/exact/exact_points.h"
+#include "vcg_ext/medial/recover_interior.h"
+#include "vcg_ext/mgf_skeleton.h"
+
+namespace mgf::test {
+namespace {
+
+using namespace fixtures;
+
+TriangleSurface squeezed(TriangleSurface surface) {
+  for (Vec3& p : surface.points) p = p.cwiseProduct(Vec3(1.0, 0.3, 0.02));
+  return surface;
+}
+
+TriangleSurface turned(const TriangleSurface& surface) {
+  return rotated(surface, 0.7, Vec3(1, 2, 3));
+}
+
+/// A torus wound into a trefoil knot.
+TriangleSurface trefoil() {
+  TriangleSurface surface = torus(90, 8, 1.0, 0.3);
+  for (Vec3& p : surface.points) {
+    const double s = std::atan2(p.y(), p.x());
+    const double r = std::hypot(p.x(), p.y()) - 1.0;
+    const auto centre = [](double t) {
+      return Vec3(std::sin(t) + 2.0 * std::sin(2.0 * t), std::cos(t) - 2.0 * std::cos(2.0 * t),
+                  -std::sin(3.0 * t));
+    };
+    const Vec3 along = (centre(s + 1e-3) - centre(s - 1e-3)).normalized();
+    const Vec3 side = along.cross(Vec3(0, 0, 1)).normalized();
+    p = centre(s) + r * side + p.z() * along.cross(side);
+  }
+  return reversed(surface);
+}
+
+double volume_under(const std::vector<Vec3>& points, const std::vector<Triangle>& faces) {
+  double sum = 0.0;
+  for (const Triangle& t : faces) sum += points[t[0]].dot(points[t[1]].cross(points[t[2]])) / 6.0;
+  return sum;
+}
+
+InteriorTetrahedra recover(const TriangleSurface& surface) {
+  RecoveryOptions options;
+  options.exact_recovery = true;
+  return recover_interior(surface, options);
+}
+
+// Proven, and T' is T but for how it is divided into triangles.
+InteriorTetrahedra expect_as_it_is(const TriangleSurface& surface, const BettiNumbers& betti) {
+  const InteriorTetrahedra interior = recover(surface);
+  const TopologyCertificate& certificate = interior.certificate;
+  EXPECT_EQ(certificate.topology, TopologyVerdict::kProven);
+  EXPECT_EQ(certificate.betti, betti);
+  EXPECT_EQ(certificate.tetrahedra_not_positive, 0U);
+  EXPECT_EQ(certificate.surface_flips, 0U);
+  EXPECT_EQ(certificate.points_added, certificate.exact_points);
+  const double volume = volume_under(surface.points, surface.triangles);
+  EXPECT_NEAR(volume_under(interior.points, interior.boundary), volume, 1e-9 * volume);
+  const SurfaceTree tree(surface);
+  for (const Triangle& t : interior.boundary) {
+    const Vec3 centroid =
+        (interior.points[t[0]] + interior.points[t[1]] + interior.points[t[2]]) / 3.0;
+    EXPECT_NEAR((tree.nearest(centroid).position - centroid).norm(), 0.0, 1e-12);
+  }
+  return interior;
+}
+
+TEST(ExactRecovery, KeepsSurfacesThatAreThere) {
+  EXPECT_EQ(expect_as_it_is(sphere(3), {1, 0, 0}).certificate.exact_points, 0U);
+  EXPECT_EQ(expect_as_it_is(torus(40, 16, 1.0, 0.3), {1, 1, 0}).certificate.exact_points, 0U);
+}
+
+TEST(ExactRecovery, RecoversAKnot) {
+  expect_as_it_is(trefoil(), {1, 1, 0});
+  expect_as_it_is(squeezed(trefoil()), {1, 1, 0});
+}
+
+TEST(ExactRecovery, RecoversSlivers) {
+  // Needles fanned out from one corner each, and the diagonals of flat faces.
+  expect_as_it_is(squeezed(turned(coarse_cylinder(48, 1.0, 5.0))), {1, 0, 0});
+  expect_as_it_is(turned(midpoint_subdivided(box(1, 1, 1e-3))), {1, 0, 0});
+  expect_as_it_is(squeezed(turned(l_block())), {1, 0, 0});
+}
+
+TEST(ExactRecovery, AddsPointsWhereFlipsGetStuck) {
+  const InteriorTetrahedra interior = expect_as_it_is(squeezed(torus(40, 16, 1.0, 0.3)), {1, 1, 0});
+  EXPECT_GT(interior.certificate.exact_points, 0U);
+  EXPECT_EQ(interior.points.size(), interior.input_points + interior.certificate.exact_points);
+}
+
+TEST(ExactRecovery, CountsTheSolidsOfAMesh) {
+  const TriangleSurface two =
+      joined(squeezed(torus(30, 12, 1.0, 0.3)), moved(turned(box(1, 1, 0.01)), Vec3(0, 0, 2)));
+  expect_as_it_is(two, {2, 1, 0});
+}
+
+TEST(ExactRecovery, IsTheSameInEveryRun) {
+  const TriangleSurface surface = squeezed(torus(24, 10, 1.0, 0.3));
+  const InteriorTetrahedra first = recover(surface);
+  const InteriorTetrahedra second = recover(surface);
+  EXPECT_EQ(first.tetrahedra, second.tetrahedra);
+  EXPECT_EQ(first.points, second.points);
+}
+
+TEST(ExactRecovery, StopsWhenAsked) {
+  const OrderedSurface ordered = in_spatial_order(squeezed(torus(40, 16, 1.0, 0.3)));
+  const BoxedSurface plain = boxed(ordered);
+  int reports = 0;
+  const Progress impatient([&](double, const char*) { return ++reports < 20; });
+  EXPECT_THROW(recover_exactly(plain, impatient), Cancelled);
+  EXPECT_EQ(reports, 20);
+}
+
+// A surface through itself: the pieces of it meet inside faces, so that some are left out.
+TEST(ExactRecovery, EndsOnASurfaceThatCrossesItself) {
+  const TriangleSurface two = joined(sphere(1), moved(turned(sphere(1)), Vec3(0.9, 0.1, 0.2)));
+  EXPECT_NE(recover(two).certificate.topology, TopologyVerdict::kProven);
+}
+
+TEST(ExactRecovery, TakesOverWhereTheFirstAttemptFails) {
+  // Needs more points than the first attempt may add.
+  RecoveryOptions options;
+  options.recover_input_surface = true;
+  const TriangleSurface surface = squeezed(torus(80, 32, 1.0, 0.3));
+  const InteriorTetrahedra interior = recover_interior(surface, options);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kProven);
+  EXPECT_GT(interior.certificate.exact_points, 0U);
+}
+
+TEST(ExactRecovery, ServesTheLaterStages) {
+  const TriangleSurface surface = squeezed(torus(40, 16, 1.0, 0.3));
+  MedialAxisOptions options;
+  options.recovery.exact_recovery = true;
+  const MedialAxis axis = compute_medial_axis(surface, options);
+  ASSERT_GT(axis.interior.certificate.exact_points, 0U);
+  const MedialGeodesicField field = compute_medial_geodesic_function(axis).field;
+  const CurveSkeletonResult result = compute_skeleton_hierarchy(axis, field);
+  const SkeletonOptions defaults;
+  const CurveSkeleton skeleton = skeleton_at(result.hierarchy, defaults.theta, defaults.prune);
+  EXPECT_EQ(betti_numbers(skeleton), (BettiNumbers{1, 1, 0}));
+  const SurfaceTree tree(surface);
+  const ShapeInterior inside = shape_interior(tree, false);
+  for (const auto& [a, b] : skeleton.edge) {
+    EXPECT_TRUE(inside.contains(skeleton.position[a]) &&
+                inside.stays_inside(skeleton.position[a], skeleton.position[b]));
+  }
+}
+
+TEST(ExactPoints, LieExactlyWhereTheyAreSaidTo) {
+  const std::vector<Vec3> given{{0.1, 0.2, 0.3},  {1.7, -0.4, 2.9}, {-0.6, 1.1, 0.7},
+                                {0.9, 0.3, -1.3}, {0.2, 0.9, 3.1},  {5.3, -2.2, 0.4}};
+  for (const unsigned bits : {4U, 16U, 64U, 256U}) {
+    ExactPoints points(given);
+    points.add_on_segment(0, 1, {2, 3, 4}, bits);
+    points.add_on_triangle({0, 1, 2}, 3, 4, bits);
+    for (const Index other : {2U, 3U, 4U, 5U}) EXPECT_EQ(points.orientation(0, 1, 6, other), 0);
+    EXPECT_EQ(points.orientation(0, 1, 2, 7), 0);
+    EXPECT_NE(points.orientation(0, 1, 3, 7), 0);
+  }
+}
+
+TEST(ExactPoints, ComeNearerToTheCrossingWithMoreBits) {
+  const std::vector<Vec3> given{{0, 0, 0}, {1, 1, 1}, {0.3, 0, 0}, {0, 0.3, 0}, {0, 0, 0.3}};
+  const Vec3 crossing = Vec3::Constant(0.1);  // of the diagonal with x + y + z = 0.3
+  for (const unsigned bits : {4U, 8U, 16U, 32U}) {
+    ExactPoints points(given);
+    const Vec3 found = points.add_on_segment(0, 1, {2, 3, 4}, bits);
+    EXPECT_LE((found - crossing).cwiseAbs().maxCoeff(), std::ldexp(0.5, -static_cast<int>(bits)));
+  }
+}
+
+}  // namespace
+}  // namespace mgf::test

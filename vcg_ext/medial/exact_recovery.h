@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The last resort of recovery, which always ends with the surface in the mesh: where flips get
+// stuck, points exactly on the surface.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "vcg_ext/core/progress.h"
+#include "vcg_ext/core/types.h"
+#include "vcg_ext/input/edge_table.h"
+#include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/local_moves.h"
+#include "vcg_ext/medial/obstacle_clearing.h"
+#include "vcg_ext/medial/simplex_split.h"
+#include "vcg_ext/medial/tetrahedral_mesh.h"
+
+namespace mgf {
+
+/// Makes each face of a surface a union of faces of a tetrahedral mesh; the surface stays as it is.
+/// Flips as long as they help, then points exactly on the surface: each takes a crossing of the
+/// surface with the mesh away and makes none, so that this ends (docs/topology.md).
+/// Requires a surface free of self-intersections, whose vertices are vertices of the mesh, and all
+/// vertices of the mesh but those of its hull to lie on it.
+class ExactRecovery {
+ public:
+  ExactRecovery(TetrahedralMesh& mesh, const std::vector<Triangle>& faces)
+      : mesh_(mesh),
+        faces_(faces),
+        edges_(make_edge_table(faces)),
+        points_on_(faces.size()),
+        kept_(mesh.points().size(), faces),
+        clearing_(mesh, kept_, kSeed) {}
+
+  /// The faces of the mesh that the surface consists of, oriented as it is. None if a crossing is
+  /// met that only a self-intersecting surface can have. Throws `Cancelled`.
+  std::optional<std::vector<Triangle>> run(const Progress& progress) {
+    flip_edges_free(progress.slice(0.0, 0.3));
+    if (!recover_edges(progress.slice(0.3, 0.7))) return std::nullopt;
+    return recover_faces(progress.slice(0.7, 1.0));
+  }
+
+ private:
+  // Where the way from a vertex leaves its star: an edge or a face, as the first `size` corners.
+  struct Exit {
+    Index tetrahedron;
+    std::array<Index, 4> simplex;
+    unsigned size;
+    Triangle face;  // that the simplex is, or is a side of
+  };
+
+  bool clear(Index a, Index b, int depth) {
+    ClearingEffort effort;
+    effort.depth = depth;
+    return clearing_.clear(SegmentObstacle{a, b}, effort);
+  }
+
+  // Flips alone, the shortest edges first, the quick flips first.
+  void flip_edges_free(const Progress& progress) {
+    const auto squared_length = [&](Index e) {
+      return (mesh_.point(edges_.ends[e][0]) - mesh_.point(edges_.ends[e][1])).squaredNorm();
+    };
+    for (Index e = 0; e < edges_.size(); ++e) {
+      if (mesh_.find_edge(edges_.ends[e][0], edges_.ends[e][1]) == kNone) missing_.push_back(e);
+    }
+    std::stable_sort(missing_.begin(), missing_.end(),
+                     [&](Index e, Index f) { return squared_length(e) < squared_length(f); });
+    for (const int depth : {0, 2}) {
+      std::vector<Index> stuck;
+      for (const Index e : missing_) {
+        progress.report(0.5 * depth, "topology");
+        if (!clear(edges_.ends[e][0], edges_.ends[e][1], depth)) stuck.push_back(e);
+      }
+      missing_.swap(stuck);
+    }
+  }
+
+  // Makes every edge of the surface a chain of edges of the mesh.
+  bool recover_edges(const Progress& progress) {
+    double done = 0.0;
+    for (const Index e : missing_) {
+      const auto [a, b] = edges_.ends[e];
+      for (Index at = a; mesh_.find_edge(at, b) == kNone && !clear(at, b, kWalkDepth);) {
+        progress.report(done / static_cast<double>(missing_.size()), "topology");
+        const std::optional<Exit> exit = exit_towards(at, b);
+        if (!exit) return false;
+        const Index m = split(*exit, [&, a = a, b = b](unsigned bits) {
+          return mesh_.add_point_on_segment(a, b, exit->face, bits);
+        });
+        kept_.add_face({at, m, m});
+        kept_.add_face({m, b, b});
+        for (const FaceSide& side : edges_.sides[e]) points_on_[side.face].push_back(m);
+        at = m;
+      }
+      done += 1.0;
+    }
+    return true;
+  }
+
+  // Makes every face of the surface a union of faces of the mesh, and gives these.
+  std::vector<Triangle> recover_faces(const Progress& progress) {
+    std::vector<Triangle> parts;
+    for (Index f = 0; f < faces_.size(); ++f) {
+      const auto [a, b, c] = faces_[f];
+      if (mesh_.find_face(a, b, c) != kNone) {
+        parts.push_back(faces_[f]);
+        continue;
+      }
+      progress.report(f / static_cast<double>(faces_.size()), "topology");
+      clear_face(f);
+      const std::size_t first = parts.size();
+      collect_parts(f, parts);
+      for (std::size_t i = first; i < parts.size(); ++i) kept_.add_face(parts[i]);
+    }
+    return parts;
+  }
+
+  // None if the way ends in a vertex.
+  std::optional<Exit> exit_towards(Index at, Index goal) const {
+    for (const Index t : mesh_.star(at)) {
+      const auto [x, y, z] = face_of(mesh_.corners(t), corner_index(mesh_.corners(t), at));
+      const int yz = mesh_.orientation(at, goal, y, z);
+      const int zx = mesh_.orientation(at, x, goal, z);
+      const int xy = mesh_.orientation(at, x, y, goal);
+      if (yz < 0 || zx < 0 || xy < 0) continue;
+      const int touched = (yz == 0 ? 1 : 0) + (zx == 0 ? 1 : 0) + (xy == 0 ? 1 : 0);
+      if (touched > 1) return std::nullopt;
+      if (yz == 0) return Exit{t, {y, z, kNone, kNone}, 2, {x, y, z}};
+      if (zx == 0) return Exit{t, {z, x, kNone, kNone}, 2, {x, y, z}};
+      if (xy == 0) return Exit{t, {x, y, kNone, kNone}, 2, {x, y, z}};
+      return Exit{t, {x, y, z, kNone}, 3, {x, y, z}};
+    }
+    return std::nullopt;
+  }
+
+  // Splits a simplex at the point that `add` gives near the crossing.
+  template <class Add>
+  Index split(const Exit& exit, const Add& add) {
+    const std::vector<Index> old =
+        tetrahedra_round(mesh_, exit.tetrahedron, exit.simplex, exit.size);
+    kept_.add_vertex();
+    return split_simplex_near(mesh_, old, exit.simplex, exit.size, add);
+  }
+
+  // Removes or splits the edges of the mesh that go through face f, whose own edges must have been
+  // recovered.
+  void clear_face(Index f) {
+    LocalMoves<TriangleObstacle> moves(mesh_, kept_, {faces_[f][0], faces_[f][1], faces_[f][2]});
+    std::vector<Index>& points = points_on_[f];
+    points.insert(points.end(), faces_[f].begin(), faces_[f].end());
+    for (std::size_t next = 0; next < points.size(); ++next) {  // it grows meanwhile
+      while (const std::optional<Exit> piercing = edge_through(f, points[next])) {
+        const auto [p, q, r, s] = piercing->simplex;
+        if (moves.remove_edge(piercing->tetrahedron, p, q, -1)) continue;
+        points.push_back(split(*piercing, [&, p = p, q = q](unsigned bits) {
+          return mesh_.add_point_on_triangle(faces_[f], p, q, bits);
+        }));
+      }
+    }
+  }
+
+  // An edge through the inside of face f of a tetrahedron at v.
+  std::optional<Exit> edge_through(Index f, Index v) const {
+    const auto [a, b, c] = faces_[f];
+    for (const Index t : mesh_.star(v)) {
+      const Tetrahedron corners = mesh_.corners(t);
+      std::array<int, 4> side{};
+      for (unsigned i = 0; i < 4; ++i) side[i] = mesh_.orientation(a, b, c, corners[i]);
+      for (unsigned i = 0; i < 4; ++i) {
+        for (unsigned j = 0; j < i; ++j) {
+          const Index p = corners[i];
+          const Index q = corners[j];
+          if (side[i] * side[j] >= 0) continue;
+          const int ab = mesh_.orientation(p, q, a, b);
+          if (ab == 0 || mesh_.orientation(p, q, b, c) != ab ||
+              mesh_.orientation(p, q, c, a) != ab) {
+            continue;
+          }
+          return Exit{t, {p, q, kNone, kNone}, 2, faces_[f]};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Appends the faces of the mesh whose corners all lie on face f, each once.
+  void collect_parts(Index f, std::vector<Triangle>& parts) {
+    std::vector<Index>& points = points_on_[f];
+    std::sort(points.begin(), points.end());
+    const auto on_face = [&](Index v) {
+      return std::binary_search(points.begin(), points.end(), v);
+    };
+    const auto [a, b, c] = faces_[f];
+    for (const Index v : points) {
+      for (const Index t : mesh_.star(v)) {
+        const Tetrahedron corners = mesh_.corners(t);
+        for (unsigned i = 0; i < 4; ++i) {
+          const Triangle part = face_of(corners, i);
+          if (*std::min_element(part.begin(), part.end()) != v) continue;
+          if (!on_face(part[0]) || !on_face(part[1]) || !on_face(part[2])) continue;
+          // Seen from inside, so that it is oriented as f.
+          if (mesh_.orientation(a, b, c, corners[i]) < 0) parts.push_back(part);
+        }
+      }
+    }
+  }
+
+  static constexpr std::uint64_t kSeed = 1;
+  static constexpr int kWalkDepth = 2;
+
+  TetrahedralMesh& mesh_;
+  const std::vector<Triangle>& faces_;
+  EdgeTable edges_;
+  std::vector<Index> missing_;                 // edges of the surface
+  std::vector<std::vector<Index>> points_on_;  // of each face: points added on it, then its corners
+  ConstrainedSurface kept_;  // what flips must not destroy: the faces, parts of edges and of faces
+  ObstacleClearing clearing_;
+};
+
+}  // namespace mgf
