@@ -10,6 +10,7 @@
 #include "tests/voxel_solids.h"
 #include "vcg_ext/core/random.h"
 #include "vcg_ext/exact/surface_tree.h"
+#include "vcg_ext/medial/isotopy_guard.h"
 #include "vcg_ext/medial/local_moves.h"
 #include "vcg_ext/medial/ray_winding.h"
 #include "vcg_ext/medial/recover_interior.h"
@@ -79,6 +80,56 @@ TEST(Certificate, FailsOnTheWrongNumberOfLoops) {
   interior.certificate.expected = {1, 0, 0};
   certify(interior, interior.boundary, true);
   EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kFailed);
+}
+
+TEST(Certificate, IsIsotopicUnlessPointsWereRounded) {
+  InteriorTetrahedra interior = proven_torus();
+  EXPECT_TRUE(interior.certificate.isotopic);
+  interior.certificate.points_added = 1;
+  certify(interior, interior.boundary, true);
+  EXPECT_FALSE(interior.certificate.isotopic);
+  interior.certificate.points_added = 0;
+  certify(interior, interior.boundary, false);
+  EXPECT_FALSE(interior.certificate.isotopic);
+}
+
+// Whether the edge of a ridge over the origin may be flipped in the presence of another face.
+bool may_flip_beside(const std::vector<Vec3>& others, const Triangle& face) {
+  std::vector<Vec3> points{{-1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, -1, 0}};
+  points.insert(points.end(), others.begin(), others.end());
+  const ConstrainedSurface surface(points.size(), {{0, 1, 2}, {1, 0, 3}, face});
+  return IsotopyGuard(points, surface).allows(0, 1, 0, 1, 2, 3);
+}
+
+TEST(Isotopy, AllowsFlipsThroughEmptySpace) {
+  EXPECT_TRUE(may_flip_beside({{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, {4, 5, 6}));
+  EXPECT_TRUE(may_flip_beside({{0, 2, 0}}, {0, 2, 4}));             // the next face round
+  EXPECT_TRUE(may_flip_beside({{3, 0, 1}, {3, 1, 1}}, {1, 4, 5}));  // at a corner, looking away
+  EXPECT_TRUE(may_flip_beside({{0.9, 0.9, 0.9}, {1, 1, 0}, {1, 0.8, 0.5}}, {4, 5, 6}));
+}
+
+TEST(Isotopy, RefusesFlipsOverASpike) {
+  EXPECT_FALSE(may_flip_beside({{0, 0, 0.5}, {0.1, 0, -1}, {-0.1, 0, -1}}, {4, 5, 6}));
+  EXPECT_FALSE(may_flip_beside({{0, 0, 0}, {0.1, 0, -1}, {-0.1, 0, -1}}, {4, 5, 6}));  // touches
+}
+
+TEST(Isotopy, RefusesFlipsThroughASheet) {
+  EXPECT_FALSE(may_flip_beside({{-5, -5, 0.5}, {5, -5, 0.5}, {0, 9, 0.5}}, {4, 5, 6}));
+  EXPECT_FALSE(may_flip_beside({{9, 1, 0.5}, {9, -1, 0.6}}, {0, 4, 5}));  // from a corner
+  EXPECT_FALSE(may_flip_beside({{0.5, 0.1, 0.7}}, {0, 2, 4}));  // next face round, but inward
+}
+
+TEST(Isotopy, FollowsTheSurfaceAsItChanges) {
+  const std::vector<Vec3> points{{-1, 0, 1}, {1, 0, 1},   {0, 1, 0},    {0, -1, 0},
+                                 {4, 0, 9},  {5, 0.5, 9}, {5, -0.5, 9}, {0, 0, 0.5}};
+  ConstrainedSurface surface(points.size(), {{0, 1, 2}, {1, 0, 3}, {4, 5, 6}, {4, 6, 5}});
+  IsotopyGuard guard(points, surface);
+  ASSERT_TRUE(guard.allows(0, 1, 0, 1, 2, 3));
+  ConstrainedSurface spiked(points.size(), {{0, 1, 2}, {1, 0, 3}, {5, 6, 7}, {4, 6, 5}});
+  surface = spiked;  // face 2 has moved where its old box didn't reach
+  ASSERT_TRUE(guard.allows(0, 1, 0, 1, 2, 3));
+  guard.flipped(2, 3);
+  EXPECT_FALSE(guard.allows(0, 1, 0, 1, 2, 3));
 }
 
 TEST(Betti, AreThoseOfSolidsOfCubes) {

@@ -133,6 +133,7 @@ TEST(Recovery, TurnsWithTheShape) {
   }
   const InteriorTetrahedra first = recover_interior(surface, {});
   EXPECT_GT(first.certificate.surface_flips, 0U);
+  EXPECT_TRUE(first.certificate.isotopic);
   for (const double angle : {0.4, 1.3, 2.9}) {
     const InteriorTetrahedra turned =
         recover_interior(fixtures::rotated(surface, angle, Vec3(1, 2, 3)), {});

@@ -35,8 +35,8 @@ inline Box box_of_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
-/// Items given by their boxes, in a binary tree of boxes. Built in O(n log n); immutable, so that
-/// threads may share it. Visits come in a fixed order.
+/// Items given by their boxes, in a binary tree of boxes. Built in O(n log n). Threads may share it
+/// as long as none extends it. Visits come in a fixed order.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
@@ -44,6 +44,18 @@ class BoxTree {
     std::vector<Place> places = centres();
     build(places, 0, to_index(places.size()));
     sort_items(places);
+  }
+
+  /// Makes the box of `item` hold `box`, too. O(log n).
+  void extend(Index item, const Box& box) {
+    const Index place = place_of_item_[item];
+    boxes_[place].extend(box);
+    for (Index at = 0;;) {
+      nodes_[at].box.extend(box);
+      const Index second = nodes_[at].second_child;
+      if (second == kNone) return;
+      at = place < nodes_[second].begin ? at + 1 : second;
+    }
   }
 
   /// Calls `visit(item)` for the items whose box, and every box round it in the tree, has
@@ -141,7 +153,9 @@ class BoxTree {
     std::vector<Box> sorted;
     sorted.reserve(places.size());
     items_.reserve(places.size());
+    place_of_item_.resize(places.size());
     for (const Place& place : places) {
+      place_of_item_[place.item] = to_index(items_.size());
       sorted.push_back(boxes_[place.item]);
       items_.push_back(place.item);
     }
@@ -222,6 +236,7 @@ class BoxTree {
 
   std::vector<Box> boxes_;    // in the order of the leaves
   std::vector<Index> items_;  // whose they are
+  std::vector<Index> place_of_item_;
   std::vector<Node> nodes_;
 };
 

@@ -32,6 +32,7 @@ enum class TopologyVerdict {
 /// The checks behind a `TopologyVerdict`, made anew on the finished tetrahedra.
 struct TopologyCertificate {
   TopologyVerdict topology = TopologyVerdict::kFailed;
+  bool isotopic = false;  ///< proven, and some motion of space carries the input surface to T'
   Index boundary_faces_missing = 0;   ///< faces of T' that are no face of the tetrahedra
   Index boundary_faces_extra = 0;     ///< boundary faces of the interior that are not in T'
   Index tetrahedra_not_positive = 0;  ///< by the exact orientation predicate

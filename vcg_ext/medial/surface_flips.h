@@ -11,6 +11,7 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/constrained_surface.h"
 #include "vcg_ext/medial/face_lookup.h"
+#include "vcg_ext/medial/isotopy_guard.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
 namespace mgf {
@@ -28,7 +29,10 @@ struct EdgePair {
 class SurfaceFlipper {
  public:
   SurfaceFlipper(const std::vector<Vec3>& points, ConstrainedSurface& surface)
-      : points_(points), surface_(surface), queued_(surface.faces().size(), 0) {
+      : points_(points),
+        surface_(surface),
+        guard_(points, surface),
+        queued_(surface.faces().size(), 0) {
     parent_normal_.reserve(surface.faces().size());
     for (const Triangle& face : surface.faces()) parent_normal_.push_back(normal(face));
   }
@@ -66,6 +70,7 @@ class SurfaceFlipper {
       for (const Candidate& candidate : candidates(wanted)) {
         EdgePair e{};
         if (!pair_at(candidate.f, candidate.a, candidate.b, e) || !wanted(e)) continue;
+        if (!guard_.allows(e.f, e.g, e.a, e.b, e.c, e.d)) continue;
         flip(e);
         ++flips;
       }
@@ -120,6 +125,7 @@ class SurfaceFlipper {
 
   void flip(const EdgePair& e) {
     surface_.flip_edge(e.f, e.g, e.a, e.b);
+    guard_.flipped(e.f, e.g);
     for (const Index f : {e.f, e.g}) {
       enqueue(f);
       const Triangle face = surface_.face(f);
@@ -180,6 +186,7 @@ class SurfaceFlipper {
 
   const std::vector<Vec3>& points_;
   ConstrainedSurface& surface_;
+  IsotopyGuard guard_;
   std::vector<Vec3> parent_normal_;  // of the face of T that each face started as
   std::vector<char> queued_;
   std::vector<Index> queue_;

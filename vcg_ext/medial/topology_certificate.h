@@ -153,6 +153,8 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
   certificate.topology = proven    ? TopologyVerdict::kProven
                          : counted ? TopologyVerdict::kCounted
                                    : TopologyVerdict::kFailed;
+  // Flips are isotopies by `IsotopyGuard`; points rounded to doubles may leave the surface.
+  certificate.isotopic = proven && certificate.points_added == certificate.exact_points;
 }
 
 /// Whether `mesh` is a triangulation of the box whose hull faces are `hull` triangles: adjacency
