@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,19 @@ inline std::vector<Index> border_faces(const FaceGraph& faces, const std::vector
 }
 
 }  // namespace border_relaxation
+
+/// Up to which size steps of a border near each face are levelled, mesh units: a share of the local
+/// `radius` (one per face), so that no limb is lost, and some face sizes, for it is faces that make
+/// the steps.
+inline std::vector<double> relaxation_reach(const FaceGraph& faces,
+                                            const std::vector<double>& radius, double of_radius,
+                                            double of_face_size) {
+  std::vector<double> reach(faces.face_count());
+  for (Index f = 0; f < reach.size(); ++f) {
+    reach[f] = std::min(of_radius * radius[f], of_face_size * std::sqrt(faces.area[f]));
+  }
+  return reach;
+}
 
 /// Moves borders towards their shortest place nearby: a face at a border goes over to the label
 /// that holds most of the surface within its `reach` (one per face, mesh units), again and again.

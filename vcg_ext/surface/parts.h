@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -77,19 +76,6 @@ inline std::vector<double> radii_at_faces(const FaceGraph& faces,
   return radius;
 }
 
-/// Up to which size steps of a border near each face are levelled: a share of the local radius, so
-/// that no limb is lost, and a few faces, which is what makes the steps.
-inline std::vector<double> border_reach(const FaceGraph& faces, const Rows<Index>& circles_on_face,
-                                        const std::vector<double>& circle_radius) {
-  constexpr double kOfRadius = 0.5;
-  constexpr double kOfFaceSize = 10.0;
-  std::vector<double> reach = radii_at_faces(faces, circles_on_face, circle_radius);
-  for (Index f = 0; f < reach.size(); ++f) {
-    reach[f] = std::min(kOfRadius * reach[f], kOfFaceSize * std::sqrt(faces.area[f]));
-  }
-  return reach;
-}
-
 /// Each label's largest piece, and the rest as the nearest of them.
 inline std::vector<Index> connected_parts(const FaceGraph& faces, std::vector<Index> label) {
   return flood_faces(faces, largest_pieces(faces, std::move(label))).label;
@@ -110,8 +96,9 @@ inline std::vector<Index> cut_into_parts(const FaceGraph& faces, const Rows<Inde
                                          unsigned threads = 0) {
   const std::vector<Index> seeds = parting::majority_owners(circles_on_face, owner_of_circle);
   std::vector<Index> part = parting::connected_parts(faces, flood_faces(faces, seeds).label);
-  relax_borders(faces, parting::border_reach(faces, circles_on_face, circle_radius),
-                thread_count(threads), part);
+  const std::vector<double> radius = parting::radii_at_faces(faces, circles_on_face, circle_radius);
+  const std::vector<double> reach = relaxation_reach(faces, radius, 0.5, 10.0);
+  relax_borders(faces, reach, thread_count(threads), part);
   part = parting::connected_parts(faces, std::move(part));
   straighten_borders(faces, part);
   return part;

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/constants.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/input/refined_surface.h"
 #include "vcg_ext/skeleton/branch_chains.h"
@@ -16,6 +18,7 @@
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/eccentricity_filter.h"
 #include "vcg_ext/skeleton/weighted_median.h"
+#include "vcg_ext/surface/border_relaxation.h"
 #include "vcg_ext/surface/face_flood.h"
 #include "vcg_ext/surface/face_pieces.h"
 #include "vcg_ext/surface/geodesic_circles.h"
@@ -105,28 +108,58 @@ inline std::vector<Index> without_islands(const FaceGraph& faces, std::vector<In
   return label;
 }
 
+/// Clears the labels of pieces without a seed of their label, whose faces nothing would speak for.
+inline std::vector<Index> without_unfounded_pieces(const FaceGraph& faces, std::vector<Index> label,
+                                                   const std::vector<Index>& label_of_seed) {
+  const FacePieces pieces = connected_pieces(faces, label);
+  std::vector<char> founded(pieces.area.size(), 0);
+  for (Index f = 0; f < label.size(); ++f) {
+    if (label[f] != kNone && label_of_seed[f] == label[f]) founded[pieces.of_face[f]] = 1;
+  }
+  for (Index f = 0; f < label.size(); ++f) {
+    if (label[f] != kNone && founded[pieces.of_face[f]] == 0) label[f] = kNone;
+  }
+  return label;
+}
+
+/// A labelling with short borders: islands gone, steps and teeth levelled. Faces without a label
+/// take that of the nearest. Every piece keeps a face whose `label_of_seed` is its label.
+inline std::vector<Index> tidied(const FaceGraph& faces, std::vector<Index> label,
+                                 const std::vector<double>& rho,
+                                 const std::vector<Index>& label_of_seed, unsigned threads) {
+  label = flood_faces(faces, without_islands(faces, std::move(label), rho)).label;
+  // Half as far as for parts: a flat palm is narrower than the parts of a hand are long.
+  relax_borders(faces, relaxation_reach(faces, rho, 0.25, 5.0), threads, label);
+  label = flood_faces(faces, without_islands(faces, std::move(label), rho)).label;
+  straighten_borders(faces, label);
+  return flood_faces(faces, without_unfounded_pieces(faces, std::move(label), label_of_seed)).label;
+}
+
 /// The evidence that speaks for each face, as a position in `evidence`, and how far it is: that of
-/// the nearest face with circles, once islands are gone and borders free of teeth.
+/// the nearest face with circles, once the labels are tidied.
 inline FaceFlood nearest_evidence(const FaceGraph& faces, const std::vector<Evidence>& evidence,
-                                  double threshold) {
+                                  double threshold, unsigned threads) {
   const std::size_t n = faces.face_count();
   std::vector<Index> seeds(n, kNone);
   for (Index i = 0; i < evidence.size(); ++i) seeds[evidence[i].face] = i;
   const FaceFlood everyone = flood_faces(faces, seeds);
 
-  const auto class_of = [&](Index i) { return evidence[i].eccentricity < threshold ? 1U : 0U; };
+  const auto class_of = [&](Index i) {
+    return i == kNone ? kNone : evidence[i].eccentricity < threshold ? 1U : 0U;
+  };
   std::vector<Index> label(n, kNone);
+  std::vector<Index> label_of_seed(n, kNone);
   std::vector<double> rho(n, 0.0);
   for (Index f = 0; f < n; ++f) {
+    label_of_seed[f] = class_of(seeds[f]);
     if (everyone.label[f] == kNone) continue;
     label[f] = class_of(everyone.label[f]);
     rho[f] = evidence[everyone.label[f]].rho;
   }
-  label = flood_faces(faces, without_islands(faces, label, rho)).label;
-  straighten_borders(faces, label);
+  label = tidied(faces, std::move(label), rho, label_of_seed, threads);
 
   for (Index f = 0; f < n; ++f) {
-    if (seeds[f] != kNone && class_of(seeds[f]) != label[f]) seeds[f] = kNone;
+    if (label_of_seed[f] != label[f]) seeds[f] = kNone;
   }
   return flood_faces(faces, seeds, [&](Index f, Index g) { return label[f] == label[g]; });
 }
@@ -137,19 +170,21 @@ inline FaceFlood nearest_evidence(const FaceGraph& faces, const std::vector<Evid
 /// majority of them (half and half: tubular), a circle being tubular if its eccentricity, filtered
 /// along its branch, is below `eccentricity_threshold`; any other face as the nearest such face
 /// along the surface. A piece smaller than a disc of the local radius then joins the larger piece
-/// beside it, and single teeth of a border are levelled; such faces take the eccentricity of the
-/// nearest face with their label. So the label always is `eccentricity` < threshold.
+/// beside it, and borders are relaxed; such faces take the eccentricity of the nearest face with
+/// their label. So the label always is `eccentricity` < threshold.
 /// `refined` refines `input`, and the circles run on it. Cost: O(n log n) in the faces and circle
 /// crossings.
 inline Segmentation segment_surface(const TriangleSurface& input, const RefinedSurface& refined,
                                     const CurveSkeleton& skeleton, const BranchGraph& graph,
-                                    const GeodesicCircles& circles, double eccentricity_threshold) {
+                                    const GeodesicCircles& circles, double eccentricity_threshold,
+                                    unsigned threads = 0) {
   const std::size_t n = input.triangles.size();
   const FaceGraph faces = build_face_graph(input);
   const Rows<Index> circles_on_face = items_on_input_faces(circles.faces, refined.parent_face, n);
   const std::vector<segmentation::Evidence> evidence = segmentation::collect_evidence(
       circles_on_face, skeleton, filtered_eccentricity(skeleton, graph), eccentricity_threshold);
-  const FaceFlood flood = segmentation::nearest_evidence(faces, evidence, eccentricity_threshold);
+  const FaceFlood flood = segmentation::nearest_evidence(faces, evidence, eccentricity_threshold,
+                                                         thread_count(threads));
 
   Segmentation result;
   result.tubular.assign(n, 0);
