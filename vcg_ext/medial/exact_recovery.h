@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last resort of recovery, which always ends with the surface in the mesh: where flips get
-// stuck, points exactly on the surface.
+// Recovery that always ends with the surface in the mesh: where flips get stuck, points exactly on
+// the surface.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
-#include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/medial/constrained_surface.h"
+#include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/local_moves.h"
 #include "vcg_ext/medial/obstacle_clearing.h"
 #include "vcg_ext/medial/simplex_split.h"
@@ -32,8 +33,6 @@ class ExactRecovery {
   ExactRecovery(TetrahedralMesh& mesh, const std::vector<Triangle>& faces)
       : mesh_(mesh),
         faces_(faces),
-        edges_(make_edge_table(faces)),
-        points_on_(faces.size()),
         kept_(mesh.points().size(), faces),
         clearing_(mesh, kept_, kSeed) {}
 
@@ -54,39 +53,55 @@ class ExactRecovery {
     Triangle face;  // that the simplex is, or is a side of
   };
 
+  using Edge = std::array<Index, 2>;
+
   bool clear(Index a, Index b, int depth) {
     ClearingEffort effort;
     effort.depth = depth;
     return clearing_.clear(SegmentObstacle{a, b}, effort);
   }
 
-  // Flips alone, the shortest edges first, the quick flips first.
-  void flip_edges_free(const Progress& progress) {
-    const auto squared_length = [&](Index e) {
-      return (mesh_.point(edges_.ends[e][0]) - mesh_.point(edges_.ends[e][1])).squaredNorm();
-    };
-    for (Index e = 0; e < edges_.size(); ++e) {
-      if (mesh_.find_edge(edges_.ends[e][0], edges_.ends[e][1]) == kNone) missing_.push_back(e);
-    }
-    std::stable_sort(missing_.begin(), missing_.end(),
-                     [&](Index e, Index f) { return squared_length(e) < squared_length(f); });
-    for (const int depth : {0, 2}) {
-      std::vector<Index> stuck;
-      for (const Index e : missing_) {
-        progress.report(0.5 * depth, "topology");
-        if (!clear(edges_.ends[e][0], edges_.ends[e][1], depth)) stuck.push_back(e);
+  // The edges of the surface that the mesh hasn't, each once, the shortest first.
+  std::vector<Edge> missing_edges() const {
+    std::vector<Edge> edges;
+    for (const Index f : missing_faces(mesh_, faces_)) {
+      for (unsigned i = 0; i < 3; ++i) {
+        const Index a = faces_[f][i];
+        const Index b = faces_[f][(i + 1) % 3];
+        if (mesh_.find_edge(a, b) == kNone) edges.push_back({std::min(a, b), std::max(a, b)});
       }
-      missing_.swap(stuck);
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    const auto squared_length = [&](const Edge& e) {
+      return (mesh_.point(e[0]) - mesh_.point(e[1])).squaredNorm();
+    };
+    std::stable_sort(edges.begin(), edges.end(), [&](const Edge& e, const Edge& f) {
+      return squared_length(e) < squared_length(f);
+    });
+    return edges;
+  }
+
+  // Flips alone, the quick ones first.
+  void flip_edges_free(const Progress& progress) {
+    stuck_ = missing_edges();
+    for (const int depth : {0, 2}) {
+      std::vector<Edge> left;
+      for (const Edge& e : stuck_) {
+        progress.report(0.5 * depth, "topology");
+        if (!clear(e[0], e[1], depth)) left.push_back(e);
+      }
+      stuck_.swap(left);
     }
   }
 
   // Makes every edge of the surface a chain of edges of the mesh.
   bool recover_edges(const Progress& progress) {
     double done = 0.0;
-    for (const Index e : missing_) {
-      const auto [a, b] = edges_.ends[e];
+    for (const auto& [a, b] : stuck_) {
+      const std::vector<Index> faces = kept_.faces_at_edge(a, b);
       for (Index at = a; mesh_.find_edge(at, b) == kNone && !clear(at, b, kWalkDepth);) {
-        progress.report(done / static_cast<double>(missing_.size()), "topology");
+        progress.report(done / static_cast<double>(stuck_.size()), "topology");
         const std::optional<Exit> exit = exit_towards(at, b);
         if (!exit) return false;
         const Index m = split(*exit, [&, a = a, b = b](unsigned bits) {
@@ -94,7 +109,7 @@ class ExactRecovery {
         });
         kept_.add_face({at, m, m});
         kept_.add_face({m, b, b});
-        for (const FaceSide& side : edges_.sides[e]) points_on_[side.face].push_back(m);
+        for (const Index f : faces) points_on_[f].push_back(m);
         at = m;
       }
       done += 1.0;
@@ -104,14 +119,23 @@ class ExactRecovery {
 
   // Makes every face of the surface a union of faces of the mesh, and gives these.
   std::vector<Triangle> recover_faces(const Progress& progress) {
+    const std::vector<Index> missing = missing_faces(mesh_, faces_);
     std::vector<Triangle> parts;
-    for (Index f = 0; f < faces_.size(); ++f) {
+    for (Index f = 0, next = 0; f < faces_.size(); ++f) {
+      if (next < missing.size() && missing[next] == f) {
+        ++next;
+      } else {
+        parts.push_back(faces_[f]);
+      }
+    }
+    for (const Index f : missing) {
+      progress.report(f / static_cast<double>(faces_.size()), "topology");
       const auto [a, b, c] = faces_[f];
-      if (mesh_.find_face(a, b, c) != kNone) {
+      const bool whole = points_on_.find(f) == points_on_.end();
+      if (whole && clearing_.clear(TriangleObstacle{a, b, c}, {})) {
         parts.push_back(faces_[f]);
         continue;
       }
-      progress.report(f / static_cast<double>(faces_.size()), "topology");
       clear_face(f);
       const std::size_t first = parts.size();
       collect_parts(f, parts);
@@ -215,9 +239,8 @@ class ExactRecovery {
 
   TetrahedralMesh& mesh_;
   const std::vector<Triangle>& faces_;
-  EdgeTable edges_;
-  std::vector<Index> missing_;                 // edges of the surface
-  std::vector<std::vector<Index>> points_on_;  // of each face: points added on it, then its corners
+  std::vector<Edge> stuck_;  // edges of the surface that flips can't make way for
+  std::unordered_map<Index, std::vector<Index>> points_on_;  // of a face: points added, its corners
   ConstrainedSurface kept_;  // what flips must not destroy: the faces, parts of edges and of faces
   ObstacleClearing clearing_;
 };

@@ -24,12 +24,16 @@ class IsotopyGuard {
   IsotopyGuard(const std::vector<Vec3>& points, const ConstrainedSurface& surface)
       : points_(points), surface_(surface) {}
 
-  /// Whether the flip of ab, between f = abc and g = bad, is known to be an isotopy. A microsecond
+  /// Whether the flip of ab, between f = abc and g = bad, is known to be an isotopy. If the two lie
+  /// in one plane, they must make a convex quadrangle. A microsecond
   /// or two, but for the first call, which is O(n log n).
   bool allows(Index f, Index g, Index a, Index b, Index c, Index d) {
     const Tetrahedron swept{a, b, c, d};
     const int sign = orient3d(points_[a], points_[b], points_[c], points_[d]);
-    if (sign == 0) return true;  // the surface stays the same point set
+    if (sign == 0) {  // the surface stays the same point set
+      return !exact::collinear(points_[c], points_[a], points_[d]) &&
+             !exact::collinear(points_[d], points_[b], points_[c]);
+    }
     if (!tree_) tree_.emplace(face_boxes());
     Box box = box_of(surface_.face(f));
     box.extend(box_of(surface_.face(g)));

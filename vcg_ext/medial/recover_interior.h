@@ -20,19 +20,18 @@ namespace mgf {
 
 /// How the interior is found.
 struct RecoveryOptions {
-  bool exact_recovery = false;  ///< go to the last resort at once: T' = T as a point set, with
-                                ///< however many points on it that takes
   bool recover_input_surface = false;  ///< T' = T: no surface flips at all
   bool lift_overlaps = true;        ///< where the surface passes through itself, keep both copies
   std::size_t known_crossings = 0;  ///< pairs of faces known to cross: if many, the surface is cut
-                                    ///< there at once. 0 promises nothing
+                                    ///< there at once. 0 promises nothing, but hopes for none
   unsigned threads = 0;             ///< 0: all; the result is the same for any number
 };
 
 namespace recovery_detail {
 
-// seed, spare points, growth, recursive attempts, flat flips, guided flips
-inline constexpr AttemptOptions kFirstAttempt = {1, 200, 0.05, 400, true, true};
+// Of a surface that crosses itself: seed, spare points, growth, recursive attempts, flat flips,
+// guided flips.
+inline constexpr AttemptOptions kPlainAttempt = {1, 200, 0.05, 400, true, true};
 inline constexpr AttemptOptions kSoupAttempts[] = {{2, 200, 0.20, 400, true, false},
                                                    {3, 200, 0.50, 1500, false, false}};
 
@@ -52,17 +51,12 @@ class Attempts {
   void run() {
     if (options_.known_crossings > kFewCrossings && cut_along_crossings()) return;
     const BoxedSurface plain = boxed(ordered_);
-    if (options_.exact_recovery) {
-      consider(recover_exactly(plain, progress_));
-      return;
+    if (options_.known_crossings == 0) {
+      consider(recover_exactly(plain, !options_.recover_input_surface, progress_));
+      if (verdict() == TopologyVerdict::kProven) return;  // unless the surface crosses itself
     }
-    attempt(plain, kFirstAttempt);
-    if (verdict() == TopologyVerdict::kProven) return;
-    if (exact::self_intersections(ordered_.surface, options_.threads).empty()) {
-      consider(recover_exactly(plain, progress_));
-    } else if (verdict() == TopologyVerdict::kFailed) {
-      cut_along_crossings();
-    }
+    attempt(plain, kPlainAttempt);
+    if (verdict() == TopologyVerdict::kFailed) cut_along_crossings();
   }
 
   InteriorTetrahedra take_best() { return std::move(*best_); }
@@ -109,13 +103,13 @@ class Attempts {
 
 /// Fills the solid inside `surface` with tetrahedra that have its topology (docs/topology.md): T is
 /// changed a little into T' by edge flips, T' is forced into the Delaunay tetrahedralisation of its
-/// vertices by local flips and, where they get stuck, by points added on it; a flood tells inside
-/// from outside. The certificate says how much of that has been proven. A surface that crosses
-/// itself is cut along the crossings; then the result has the topology of where the winding number
-/// is positive, or better, of the solid immersed.
-/// Requires `surface` closed, oriented outward, edge- and vertex-manifold, finite, without
-/// duplicate points; several disjoint shells may lie side by side. Vertices keep their numbers.
-/// Throws `InputError` on duplicate points and `Cancelled`. About 25 us a vertex.
+/// vertices by local flips and, where they get stuck, by points exactly on it; a flood tells inside
+/// from outside. The certificate says how much of that has been proven: all, unless the surface
+/// crosses itself. Then it is cut along the crossings if need be, and the result has the topology
+/// of where the winding number is positive, or better, of the solid immersed. Requires `surface`
+/// closed, oriented outward, edge- and vertex-manifold, finite, without duplicate points; several
+/// disjoint shells may lie side by side. Vertices keep their numbers. Throws `InputError` on
+/// duplicate points and `Cancelled`. About 25 us a vertex.
 inline InteriorTetrahedra recover_interior(const TriangleSurface& surface,
                                            const RecoveryOptions& options,
                                            const Progress& progress = {}) {

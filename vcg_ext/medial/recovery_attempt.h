@@ -57,13 +57,19 @@ inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOp
   return result;
 }
 
-/// The last resort: T stays as it is, and gets as many points exactly on it as it takes. Complete
-/// for each surface that doesn't cross itself (docs/topology.md).
-inline RecoveredMesh recover_exactly(const BoxedSurface& boxed, const Progress& progress) {
+/// Flips T towards the mesh, which is an isotopy, if `flip_surface`; then as many points exactly on
+/// T' as it takes. Complete for each surface that doesn't cross itself (docs/topology.md).
+inline RecoveredMesh recover_exactly(const BoxedSurface& boxed, bool flip_surface,
+                                     const Progress& progress) {
   RecoveredMesh result{
       TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
       ConstrainedSurface(boxed.points.size(), boxed.faces)};
-  const auto parts = ExactRecovery(result.mesh, boxed.faces).run(progress);
+  if (flip_surface) {
+    result.surface_flips += flip_coplanar_edges(boxed.points, result.surface);
+    result.surface_flips += flip_towards(result.mesh, result.surface);
+  }
+  const std::vector<Triangle> faces = result.surface.faces();
+  const auto parts = ExactRecovery(result.mesh, faces).run(progress);
   result.points_added = to_index(result.mesh.exact_point_count());
   if (!parts) return result;
   result.complete = true;
