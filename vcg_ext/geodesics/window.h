@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
@@ -74,21 +73,26 @@ class WindowCrossing {
     return std::atan2(cross(down, back), dot(down, back));
   }
 
-  /// The rays that leave between the tail of the edge and the apex, if any.
-  std::optional<Window> left_child(Index id) const {
-    if (!(from_left_ < 0.0)) return std::nullopt;
+  /// Whether rays leave between the tail of the edge and the apex.
+  bool has_left_child() const { return from_left_ < 0.0; }
+  /// Whether rays leave between the apex and the head of the edge.
+  bool has_right_child() const { return from_right_ > 0.0; }
+
+  /// Makes `child` the window of the rays that leave on the left; `id` is the number of this one.
+  void make_left_child(Index id, Window& child) const {
     const Halfedge& side = mesh_.halfedges[previous_in_triangle(window_.halfedge)];
-    const Vec2 axis{apex_.x / side.length, apex_.y / side.length};
-    return child(id, side, axis, window_.source, true, from_right_ >= 0.0);
+    const double scale = 1.0 / side.length;
+    const Vec2 axis{apex_.x * scale, apex_.y * scale};
+    make_child(id, side, axis, window_.source, true, from_right_ >= 0.0, child);
   }
 
-  /// The rays that leave between the apex and the head of the edge, if any.
-  std::optional<Window> right_child(Index id) const {
-    if (!(from_right_ > 0.0)) return std::nullopt;
+  /// The same on the right.
+  void make_right_child(Index id, Window& child) const {
     const Halfedge& side = mesh_.halfedges[next_in_triangle(window_.halfedge)];
     const Vec2 down = Vec2{mesh_.halfedges[window_.halfedge].length, 0.0} - apex_;
-    const Vec2 axis{down.x / side.length, down.y / side.length};
-    return child(id, side, axis, window_.source - apex_, false, from_left_ <= 0.0);
+    const double scale = 1.0 / side.length;
+    const Vec2 axis{down.x * scale, down.y * scale};
+    make_child(id, side, axis, window_.source - apex_, false, from_left_ <= 0.0, child);
   }
 
  private:
@@ -101,12 +105,11 @@ class WindowCrossing {
 
   /// The rays through `side`, which runs along `axis` as seen from its start, where the source lies
   /// at `source`; up to the apex on one end if the apex is among them.
-  Window child(Index id, const Halfedge& side, Vec2 axis, Vec2 source, bool is_left,
-               bool has_apex) const {
+  void make_child(Index id, const Halfedge& side, Vec2 axis, Vec2 source, bool is_left,
+                  bool has_apex, Window& w) const {
     const auto position = [&](Vec2 ray) {
       return std::clamp(cross(ray, source) / cross(ray, axis), 0.0, side.length);
     };
-    Window w;
     w.left = !is_left && has_apex ? 0.0 : position(to_left_);
     w.right = is_left && has_apex ? side.length : position(to_right_);
     w.source = {dot(source, axis), std::min(0.0, cross(axis, source))};
@@ -116,7 +119,6 @@ class WindowCrossing {
     w.halfedge = side.opposite;
     w.parent = id;
     w.root = window_.root;
-    return w;
   }
 
   const HalfedgeMesh& mesh_;

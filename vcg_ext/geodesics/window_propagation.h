@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -156,10 +155,6 @@ class WindowPropagation {
     bound = distance;
   }
 
-  void push(double key, Index entry) {
-    if (key <= targets_.reach()) queue_.push(key, entry);
-  }
-
   bool drain() {
     for (Index entry = queue_.pop(targets_.reach()); entry != kNone;
          entry = queue_.pop(targets_.reach())) {
@@ -203,7 +198,7 @@ class WindowPropagation {
     roots_.push_back({offset, arrival, v, window, root});
     lower_bound_at(v, offset);
     states_[v].last_root = added;
-    push(offset, added | kRootFlag);
+    if (offset <= targets_.reach()) queue_.push(offset, added | kRootFlag);
   }
 
   // ---- windows out of a root ----
@@ -259,7 +254,7 @@ class WindowPropagation {
     w.root = root;
     w.measure_ends();
     note_triangle(far);
-    add_window(w, {mesh_.head(far), side.tail, side.length}, kNone, {}, true);
+    add_window(w, {mesh_.head(far), side.tail, side.length});
   }
 
   /// Where the ray at `angle` from h out of its tail meets the side opposite, from h's head.
@@ -292,7 +287,7 @@ class WindowPropagation {
       w.root = kStart;
       w.measure_ends();
       note_triangle(h);
-      add_window(w, {mesh_.head(h), mesh_.tail(h), w.right}, kNone, {}, true);
+      add_window(w, {mesh_.head(h), mesh_.tail(h), w.right});
     }
   }
 
@@ -303,7 +298,8 @@ class WindowPropagation {
   }
 
   void propagate(Index id) {
-    const Window w = windows_[id];  // a copy: children move the others
+    make_room(2);  // for the children, so that w stays where it is
+    const Window& w = windows_[id];
     const Index h = w.halfedge;
     const Index left_side = previous_in_triangle(h);
     const Index right_side = next_in_triangle(h);
@@ -327,38 +323,58 @@ class WindowPropagation {
         targets_.arrive(i, w.offset + distance, id, w.root);
       }
     }
-    // Each child's third vertex is the end of the old edge that is not its own.
-    if (const std::optional<Window> child = crossing.left_child(id)) {
+    // Each child's third vertex is the end of the old edge that is not its own. Children are made
+    // in place: to copy what was just written stalls the processor.
+    if (crossing.has_left_child()) {
       const Halfedge& side = mesh_.halfedges[left_side];
-      add_window(*child, {tail, apex, side.length}, head, {side.length - side.apex.x, -side.apex.y},
-                 true);
+      crossing.make_left_child(id, windows_.emplace_back());
+      settle_last({tail, apex, side.length}, head, {side.length - side.apex.x, -side.apex.y}, true);
     }
-    if (const std::optional<Window> child = crossing.right_child(id)) {
+    if (crossing.has_right_child()) {
       const Halfedge& side = mesh_.halfedges[right_side];
-      add_window(*child, {apex, head, side.length}, tail, {side.length - side.apex.x, -side.apex.y},
-                 false);
+      crossing.make_right_child(id, windows_.emplace_back());
+      settle_last({apex, head, side.length}, tail, {side.length - side.apex.x, -side.apex.y},
+                  false);
     }
   }
 
-  /// Keeps a new window unless it is empty or can't matter. `third` is the vertex of the triangle
-  /// before it that is not on its edge, at `third_place`; the rays leave it on their right if
-  /// `third_is_right`.
-  void add_window(const Window& w, const Edge& edge, Index third, Vec2 third_place,
-                  bool third_is_right) {
-    if (w.right - w.left <= 1e-13 * edge.length) return;
-    if (allowed_ != nullptr && (*allowed_)[triangle_of(w.halfedge)] == 0) return;
+  void make_room(std::size_t count) {
+    if (windows_.capacity() - windows_.size() < count)
+      windows_.reserve(2 * windows_.size() + count);
+  }
+
+  /// A window out of a root.
+  void add_window(const Window& w, const Edge& edge) {
+    windows_.push_back(w);
+    settle_last(edge, kNone, {}, true);
+  }
+
+  /// Queues the last window, or removes it if it is empty or can't matter. `third` is the vertex of
+  /// the triangle before it that is not on its edge (kNone at a root), at `third_place`; the rays
+  /// leave it on their right if `third_is_right`.
+  void settle_last(const Edge& edge, Index third, Vec2 third_place, bool third_is_right) {
+    const Window& w = windows_.back();
     const double key = w.nearest();
-    if (key > targets_.reach() || is_dominated(w, edge)) return;
+    if (key <= targets_.reach() && is_useful(w, edge, third, third_place, third_is_right)) {
+      queue_.push(key, to_index(windows_.size() - 1));
+    } else {
+      windows_.pop_back();
+    }
+  }
+
+  bool is_useful(const Window& w, const Edge& edge, Index third, Vec2 third_place,
+                 bool third_is_right) {
+    if (w.right - w.left <= 1e-13 * edge.length) return false;
+    if (allowed_ != nullptr && (*allowed_)[triangle_of(w.halfedge)] == 0) return false;
+    if (is_dominated(w, edge)) return false;
     if (pruning_.vertex_filters && third != kNone) {
       // The segment from the third vertex to the window's far end crosses all of its rays.
       const Vec2 way = Vec2{third_is_right ? w.left : w.right, 0.0} - third_place;
       const double rest =
           (third_is_right ? w.left_distance : w.right_distance) - padded(states_[third].bound);
-      if (rest > 0.0 && dot(way, way) < rest * rest) return;
+      if (rest > 0.0 && dot(way, way) < rest * rest) return false;
     }
-    if (pruning_.ellipse && !matters(w, edge)) return;
-    windows_.push_back(w);
-    push(key, to_index(windows_.size() - 1));
+    return !pruning_.ellipse || matters(w, edge);
   }
 
   /// Whether a path through w can still matter. At its ends, vertices tell for most windows: what
