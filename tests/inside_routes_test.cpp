@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "vcg_ext/medial/placement.h"
+
 namespace mgf::test {
 namespace {
 
@@ -107,6 +109,17 @@ TEST_F(BookRoutes, LeadAnEdgeThroughTheSharedTriangle) {
   EXPECT_EQ(drawing.skeleton.edge_count(), 2U);
   EXPECT_EQ(drawing.skeleton.node_count(), 3U);
   EXPECT_EQ(drawing.skeleton.theta_birth, (std::vector<double>{-0.5, -0.5}));
+  expect_all_inside(drawing.skeleton);
+}
+
+TEST_F(BookRoutes, LookForAGateWhereTheMiddleOfTheTriangleIsOutside) {
+  const Vec3 middle = (book_.points[0] + book_.points[1] + book_.points[2]) / 3.0;
+  const ShapeInterior book = shape_;
+  shape_ = sampled_shape(
+      [book, middle](const Vec3& p) { return book.contains(p) && (p - middle).norm() > 0.15; });
+  VoronoiSkeleton drawing = edge_in_book(Vec3(2, 1, 2.2), Vec3(-2, 1, 2.2));
+  route_inside(book_, shape_, 1, drawing);
+  EXPECT_EQ(drawing.skeleton.edge_count(), 2U);
   expect_all_inside(drawing.skeleton);
 }
 

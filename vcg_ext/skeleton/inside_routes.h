@@ -3,18 +3,38 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
-#include "vcg_ext/medial/placement.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/shape_interior.h"
 #include "vcg_ext/skeleton/skeleton_graph.h"
 
 namespace mgf {
 namespace detail {
+
+/// Points strictly inside a triangle or tetrahedron: its centroid, then those halfway from there to
+/// each corner and to the middle of each side opposite.
+template <std::size_t kCorners>
+std::array<Vec3, 1 + 2 * kCorners> inner_points(const std::vector<Vec3>& points,
+                                                const std::array<Index, kCorners>& corners) {
+  std::array<Vec3, 1 + 2 * kCorners> inner;
+  constexpr double kCount = kCorners;
+  Vec3 centroid = Vec3::Zero();
+  for (const Index corner : corners) centroid += points[corner] / kCount;
+  inner[0] = centroid;
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    const Vec3 arm = points[corners[i]] - centroid;
+    inner[1 + i] = centroid + 0.5 * arm;
+    inner[1 + kCorners + i] = centroid - 0.5 / (kCount - 1.0) * arm;
+  }
+  return inner;
+}
 
 /// Leads the edges of a skeleton of Voronoi vertices through the shape.
 class InsideRouter {
@@ -33,16 +53,23 @@ class InsideRouter {
   }
 
  private:
-  /// Puts nodes that lie outside (flips of the surface can do that) at the centroids of their
-  /// tetrahedra, where these are inside.
+  /// A point of tetrahedron t inside the shape (flips of the surface can put some of it outside),
+  /// its centroid if there is a choice or none is found.
+  Vec3 point_inside(Index t) const {
+    const auto inner = inner_points(interior_.points, interior_.tetrahedra[t]);
+    const auto found = std::find_if(inner.begin(), inner.end(), shape_.contains);
+    return found != inner.end() ? *found : inner[0];
+  }
+
+  /// Puts nodes that lie outside into their tetrahedra, where these are inside.
   void call_in_outside_nodes() {
     std::vector<char> moved(skeleton_.node_count(), 0);
     for (Index node = 0; node < moved.size(); ++node) {
       if (inside_.node[node] != 0) continue;
-      const Vec3 centroid = tetrahedron_centroid(interior_, voronoi_vertex_[node]);
-      if (!shape_.contains(centroid)) continue;
-      skeleton_.position[node] = centroid;
-      skeleton_.radius[node] = nearest_of(centroid, interior_.tetrahedra[voronoi_vertex_[node]]);
+      const Vec3 place = point_inside(voronoi_vertex_[node]);
+      if (!shape_.contains(place)) continue;
+      skeleton_.position[node] = place;
+      skeleton_.radius[node] = nearest_of(place, interior_.tetrahedra[voronoi_vertex_[node]]);
       inside_.node[node] = moved[node] = 1;
     }
     for (Index e = 0; e < skeleton_.edge_count(); ++e) {
@@ -53,28 +80,47 @@ class InsideRouter {
     }
   }
 
-  /// Replaces an edge by a way through the barycentre of its dual triangle, which lies between the
-  /// two tetrahedra; if that isn't inside either, also through their centroids.
+  /// A way for edge e and which of its pieces are not inside.
+  struct Way {
+    std::vector<Vec3> points;
+    std::vector<char> outside;
+    bool is_inside() const {
+      return std::find(outside.begin(), outside.end(), char{1}) == outside.end();
+    }
+  };
+
+  /// The first way found inside through the edge's dual triangle, which lies between the two
+  /// tetrahedra; straight to a point of it, or also through points of the tetrahedra.
+  Way way_round(Index e) const {
+    const auto [u, v] = skeleton_.edge[e];
+    const Vec3& from = skeleton_.position[u];
+    const Vec3& to = skeleton_.position[v];
+    const Vec3 near = point_inside(voronoi_vertex_[u]);
+    const Vec3 far = point_inside(voronoi_vertex_[v]);
+    Way way;
+    for (const Vec3& gate : inner_points(interior_.points, skeleton_.contacts[e])) {
+      for (std::vector<Vec3> points :
+           {std::vector<Vec3>{from, gate, to}, {from, near, gate, far, to}}) {
+        std::vector<char> outside = outside_pieces(points, u);
+        way = {std::move(points), std::move(outside)};
+        if (way.is_inside()) return way;
+      }
+    }
+    return way;
+  }
+
+  /// Replaces an edge by a way round.
   void lead_round(Index e) {
     const auto [u, v] = skeleton_.edge[e];
-    const Triangle& dual = skeleton_.contacts[e];
-    const Vec3 barycentre =
-        (interior_.points[dual[0]] + interior_.points[dual[1]] + interior_.points[dual[2]]) / 3.0;
-    std::vector<Vec3> way = {skeleton_.position[u], barycentre, skeleton_.position[v]};
-    std::vector<char> outside = outside_pieces(way, u);
-    if (std::find(outside.begin(), outside.end(), char{1}) != outside.end()) {
-      way = {way.front(), tetrahedron_centroid(interior_, voronoi_vertex_[u]), barycentre,
-             tetrahedron_centroid(interior_, voronoi_vertex_[v]), way.back()};
-      outside = outside_pieces(way, u);
-    }
+    const Way way = way_round(e);
     Index from = u;
-    for (std::size_t i = 0; i + 2 < way.size(); ++i) {
-      const Index to = add_node(way[i + 1], e);
-      add_edge_like(e, {from, to}, outside[i]);
+    for (std::size_t i = 0; i + 2 < way.points.size(); ++i) {
+      const Index to = add_node(way.points[i + 1], e);
+      add_edge_like(e, {from, to}, way.outside[i]);
       from = to;
     }
     skeleton_.edge[e] = {from, v};
-    skeleton_.outside[e] = outside.back();
+    skeleton_.outside[e] = way.outside.back();
   }
 
   /// Which pieces of a way from node u are not inside.
@@ -132,7 +178,7 @@ class InsideRouter {
 
 }  // namespace detail
 
-/// Tests every edge of the skeleton against the shape. A node outside moves to the centroid of its
+/// Tests every edge of the skeleton against the shape. A node outside moves to a point of its
 /// tetrahedron; an edge that is not inside becomes a chain of edges with its measures, by way of
 /// the triangle that it crosses. What is outside even so is noted in `outside`. Edges and nodes
 /// keep their numbers; new ones are appended.
