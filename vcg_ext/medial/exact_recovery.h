@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/progress.h"
@@ -33,6 +32,7 @@ class ExactRecovery {
   ExactRecovery(TetrahedralMesh& mesh, const std::vector<Triangle>& faces)
       : mesh_(mesh),
         faces_(faces),
+        missing_(missing_faces(mesh, faces)),
         kept_(mesh.points().size(), faces),
         clearing_(mesh, kept_, kSeed) {}
 
@@ -64,7 +64,7 @@ class ExactRecovery {
   // The edges of the surface that the mesh hasn't, each once, the shortest first.
   std::vector<Edge> missing_edges() const {
     std::vector<Edge> edges;
-    for (const Index f : missing_faces(mesh_, faces_)) {
+    for (const Index f : missing_) {
       for (unsigned i = 0; i < 3; ++i) {
         const Index a = faces_[f][i];
         const Index b = faces_[f][(i + 1) % 3];
@@ -119,16 +119,21 @@ class ExactRecovery {
 
   // Makes every face of the surface a union of faces of the mesh, and gives these.
   std::vector<Triangle> recover_faces(const Progress& progress) {
-    const std::vector<Index> missing = missing_faces(mesh_, faces_);
+    missing_.erase(std::remove_if(missing_.begin(), missing_.end(),
+                                  [&](Index f) {
+                                    const auto [a, b, c] = faces_[f];
+                                    return mesh_.find_face(a, b, c) != kNone;
+                                  }),
+                   missing_.end());
     std::vector<Triangle> parts;
     for (Index f = 0, next = 0; f < faces_.size(); ++f) {
-      if (next < missing.size() && missing[next] == f) {
+      if (next < missing_.size() && missing_[next] == f) {
         ++next;
       } else {
         parts.push_back(faces_[f]);
       }
     }
-    for (const Index f : missing) {
+    for (const Index f : missing_) {
       progress.report(f / static_cast<double>(faces_.size()), "topology");
       const auto [a, b, c] = faces_[f];
       const bool whole = points_on_.find(f) == points_on_.end();
@@ -239,7 +244,8 @@ class ExactRecovery {
 
   TetrahedralMesh& mesh_;
   const std::vector<Triangle>& faces_;
-  std::vector<Edge> stuck_;  // edges of the surface that flips can't make way for
+  std::vector<Index> missing_;  // faces that the mesh hasn't; flips and points take none away
+  std::vector<Edge> stuck_;     // edges of the surface that flips can't make way for
   std::unordered_map<Index, std::vector<Index>> points_on_;  // of a face: points added, its corners
   ConstrainedSurface kept_;  // what flips must not destroy: the faces, parts of edges and of faces
   ObstacleClearing clearing_;

@@ -42,8 +42,9 @@ inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOp
   RecoveredMesh result{
       TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
       ConstrainedSurface(boxed.points.size(), boxed.faces)};
-  if (options.flat_flips) result.surface_flips += flip_coplanar_edges(boxed.points, result.surface);
-  if (options.guided_flips) result.surface_flips += flip_towards(result.mesh, result.surface);
+  SurfaceFlipper flipper(boxed.points, result.surface);
+  if (options.flat_flips) result.surface_flips += flipper.flip_coplanar();
+  if (options.guided_flips) result.surface_flips += flipper.flip_towards(result.mesh);
   RecoveryLimits limits;
   limits.added_points =
       options.spare_points +
@@ -65,8 +66,9 @@ inline RecoveredMesh recover_exactly(const BoxedSurface& boxed, bool flip_surfac
       TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
       ConstrainedSurface(boxed.points.size(), boxed.faces)};
   if (flip_surface) {
-    result.surface_flips += flip_coplanar_edges(boxed.points, result.surface);
-    result.surface_flips += flip_towards(result.mesh, result.surface);
+    SurfaceFlipper flipper(boxed.points, result.surface);
+    result.surface_flips += flipper.flip_coplanar();
+    result.surface_flips += flipper.flip_towards(result.mesh);
   }
   const std::vector<Triangle> faces = result.surface.faces();
   const auto parts = ExactRecovery(result.mesh, faces).run(progress);

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -15,41 +14,48 @@
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
 namespace mgf {
-namespace surface_flips_detail {
 
-inline constexpr double kFlatSine = 5e-4;          // two faces within 0.03 degrees are coplanar
-inline constexpr double kGuardCosine = 0.8660254;  // normals may differ by 30 degrees
-inline constexpr int kSweeps = 6;
-
-// The two faces at an edge ab of a closed manifold surface: f = abc, g = bad.
-struct EdgePair {
-  Index f, g, a, b, c, d;
-};
-
+/// Flips edges of a closed manifold surface, each by an isotopy. The surface's topology stays: a
+/// flip never doubles an edge.
 class SurfaceFlipper {
  public:
   SurfaceFlipper(const std::vector<Vec3>& points, ConstrainedSurface& surface)
       : points_(points),
         surface_(surface),
         guard_(points, surface),
-        queued_(surface.faces().size(), 0) {
-    parent_normal_.reserve(surface.faces().size());
-    for (const Triangle& face : surface.faces()) parent_normal_.push_back(normal(face));
-  }
+        queued_(surface.faces().size(), 0) {}
 
-  // 2-D Delaunay flips over edges between coplanar faces. Returns the number of flips.
+  /// Flips edges between coplanar faces until they're Delaunay within their plane, which keeps T as
+  /// a set. Returns the number of flips.
   Index flip_coplanar() {
     for (Index f = 0; f < surface_.faces().size(); ++f) enqueue(f);
-    return run([&](const EdgePair& e) { return is_flat(e) && is_not_delaunay(e); });
+    return run([&](const EdgePair& e) { return is_flat(e) && is_not_delaunay(e); }, [](Index) {});
   }
 
-  // Flips that raise the number of faces, or of edges, that `delaunay` has.
+  /// Flips edges so that more of the surface's faces and edges are in `delaunay`, a mesh of the
+  /// same points. No normal turns by more than 30 degrees. Returns the number of flips.
   Index flip_towards(const TetrahedralMesh& delaunay) {
-    for (const Index f : missing_faces(delaunay, surface_.faces())) enqueue(f);
-    return run([&](const EdgePair& e) { return gains(delaunay, e) && is_gentle(e); });
+    parent_normal_.clear();
+    for (const Triangle& face : surface_.faces()) parent_normal_.push_back(normal(face));
+    is_present_.assign(surface_.faces().size(), 1);
+    for (const Index f : missing_faces(delaunay, surface_.faces())) {
+      is_present_[f] = 0;
+      enqueue(f);
+    }
+    return run([&](const EdgePair& e) { return is_gentle(e) && gains(delaunay, e); },
+               [&](Index f) { is_present_[f] = has_face(delaunay, surface_.face(f)); });
   }
 
  private:
+  static constexpr double kFlatSine = 5e-4;          // two faces within 0.03 degrees are coplanar
+  static constexpr double kGuardCosine = 0.8660254;  // normals may differ by 30 degrees
+  static constexpr int kSweeps = 6;
+
+  // The two faces at an edge ab: f = abc, g = bad.
+  struct EdgePair {
+    Index f, g, a, b, c, d;
+  };
+
   Vec3 normal(Index a, Index b, Index c) const {
     return (points_[b] - points_[a]).cross(points_[c] - points_[a]);
   }
@@ -62,9 +68,10 @@ class SurfaceFlipper {
   }
 
   // Offers the edges of queued faces to `wanted` and flips those it accepts, sweep by sweep, the
-  // longest first: flips compete, and lengths don't change when the shape is turned.
-  template <class Wanted>
-  Index run(const Wanted& wanted) {
+  // longest first: flips compete, and lengths don't change when the shape is turned. Calls
+  // `changed` for each face that a flip has made.
+  template <class Wanted, class Changed>
+  Index run(const Wanted& wanted, const Changed& changed) {
     Index flips = 0;
     for (int sweep = 0; sweep < kSweeps && !queue_.empty(); ++sweep) {
       for (const Candidate& candidate : candidates(wanted)) {
@@ -72,6 +79,8 @@ class SurfaceFlipper {
         if (!pair_at(candidate.f, candidate.a, candidate.b, e) || !wanted(e)) continue;
         if (!guard_.allows(e.f, e.g, e.a, e.b, e.c, e.d)) continue;
         flip(e);
+        changed(e.f);
+        changed(e.g);
         ++flips;
       }
     }
@@ -158,16 +167,25 @@ class SurfaceFlipper {
     return u.dot(v) / u.cross(v).norm();
   }
 
+  static char has_face(const TetrahedralMesh& mesh, const Triangle& face) {
+    return mesh.find_face(face[0], face[1], face[2]) != kNone ? 1 : 0;
+  }
+
   bool gains(const TetrahedralMesh& mesh, const EdgePair& e) const {
-    const auto has = [&](Index a, Index b, Index c) {
-      return mesh.find_face(a, b, c) != kNone ? 1 : 0;
-    };
-    if (mesh.find_edge(e.c, e.d) == kNone) return false;
-    const int before = has(e.a, e.b, e.c) + has(e.a, e.b, e.d);
-    if (before == 2) return false;
-    const int after = has(e.c, e.d, e.a) + has(e.c, e.d, e.b);
-    if (after < before || surface_.has_edge(e.c, e.d)) return false;
-    return after > before || (before == 0 && mesh.find_edge(e.a, e.b) == kNone);
+    const int before = is_present_[e.f] + is_present_[e.g];
+    if (before == 2 || surface_.has_edge(e.c, e.d)) return false;
+    bool has_edge = false;
+    bool has_cda = false;
+    bool has_cdb = false;
+    mesh.visit_star(e.c, [&](const Tetrahedron& t) {
+      if (corner_index(t, e.d) == 4) return;
+      has_edge = true;
+      has_cda = has_cda || corner_index(t, e.a) < 4;
+      has_cdb = has_cdb || corner_index(t, e.b) < 4;
+    });
+    if (!has_edge) return false;
+    const int after = (has_cda ? 1 : 0) + (has_cdb ? 1 : 0);
+    return after > before || (after == 0 && before == 0 && mesh.find_edge(e.a, e.b) == kNone);
   }
 
   // Old, new and original normals all within the guard angle of each other.
@@ -187,24 +205,10 @@ class SurfaceFlipper {
   const std::vector<Vec3>& points_;
   ConstrainedSurface& surface_;
   IsotopyGuard guard_;
-  std::vector<Vec3> parent_normal_;  // of the face of T that each face started as
+  std::vector<Vec3> parent_normal_;  // of the face that each face was before `flip_towards`
+  std::vector<char> is_present_;     // of each face, whether the mesh has it; `flip_towards`
   std::vector<char> queued_;
   std::vector<Index> queue_;
 };
-
-}  // namespace surface_flips_detail
-
-/// Flips edges between coplanar faces of `surface` until they're Delaunay within their plane, which
-/// keeps T as a set. Returns the number of flips.
-inline Index flip_coplanar_edges(const std::vector<Vec3>& points, ConstrainedSurface& surface) {
-  return surface_flips_detail::SurfaceFlipper(points, surface).flip_coplanar();
-}
-
-/// Flips edges of `surface` so that more of its faces and edges are in `mesh`. No normal turns by
-/// more than 30 degrees, and the surface's topology stays: a flip never doubles an edge. Returns
-/// the number of flips.
-inline Index flip_towards(const TetrahedralMesh& mesh, ConstrainedSurface& surface) {
-  return surface_flips_detail::SurfaceFlipper(mesh.points(), surface).flip_towards(mesh);
-}
 
 }  // namespace mgf

@@ -137,6 +137,15 @@ class TetrahedralMesh {
     return result;
   }
 
+  /// Calls `visit` with the corners of each tetrahedron at v.
+  template <class Visit>
+  void visit_star(Index v, const Visit& visit) const {
+    walk_star(v, [&](Index t) {
+      visit(corners_[t]);
+      return true;
+    });
+  }
+
   /// A tetrahedron with the edge ab, or kNone.
   Index find_edge(Index a, Index b) const {
     return find_at(a, [&](const Tetrahedron& t) { return corner_index(t, b) < 4; });
