@@ -22,6 +22,9 @@ namespace detail {
 inline constexpr double kEdgePerThickness = 0.70710678118654752;
 /// Share of the diagonal below which no edge is split.
 inline constexpr double kShortest = 0.70710678118654752 / 100.0;
+/// Share of the diagonal that the surface counts as thick where it is thinner, or touches itself,
+/// so that allowing a multiple of the thickness always means longer edges.
+inline constexpr double kThinnest = 1e-5;
 /// An edge is at most this many times as long as the other sides of its faces may be, so that a
 /// narrow face beside a thin plate doesn't end up in needles.
 inline constexpr double kGrading = 2.0;
@@ -45,7 +48,9 @@ class LengthByThickness {
   LengthByThickness(const TriangleSurface& surface, const SurfaceTree& tree,
                     const CoarseShells& coarse, unsigned threads)
       : field_of_face_(surface.triangles.size(), kNone) {
-    shortest_ = detail::kShortest * bounding_box_diagonal(surface.points);
+    const double diagonal = bounding_box_diagonal(surface.points);
+    shortest_ = detail::kShortest * diagonal;
+    thinnest_ = detail::kThinnest * diagonal;
     std::vector<Index> faces;
     for (Index f = 0; f < surface.triangles.size(); ++f) {
       if (!coarse.has_face(f)) continue;
@@ -83,7 +88,8 @@ class LengthByThickness {
  private:
   double by_thickness(const SurfaceRefiner& refiner, Index side) const {
     return detail::kEdgePerThickness *
-           std::min(beneath(refiner, side), beneath(refiner, refiner.twin(side)));
+           std::max(thinnest_,
+                    std::min(beneath(refiner, side), beneath(refiner, refiner.twin(side))));
   }
 
   /// The least thickness at three points beside the edge, within the face of `side`.
@@ -120,6 +126,7 @@ class LengthByThickness {
 
   double scale_ = 1.0;
   double shortest_ = 0.0;
+  double thinnest_ = 0.0;
   std::vector<Index> field_of_face_;
   std::vector<FaceThickness> fields_;
   mutable std::vector<Known> known_;  // one per side: asked for often, changed rarely

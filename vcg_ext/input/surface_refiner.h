@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstddef>
@@ -78,7 +79,8 @@ class SurfaceRefiner {
   }
 
   /// Flips an edge whose two faces are parts of one face of the input if the other diagonal is
-  /// better in the sense of Delaunay; false if not.
+  /// better in the sense of Delaunay; false if not. Flips come to an end even where rounding has
+  /// put the parts of a face out of one plane: each lowers the sum of all cotangents.
   bool flip_if_better(Index side) {
     const Index other = twin_[side];
     const Index f = side / 3;
@@ -92,6 +94,8 @@ class SurfaceRefiner {
     // the margin leaves cocircular corners alone.
     constexpr double kMargin = 1e-9;
     if (cotangent(c, a, b) + cotangent(d, a, b) >= -kMargin) return false;
+    const double before = cotangents({a, b, c}) + cotangents({b, a, d});
+    if (!(cotangents({d, c, a}) + cotangents({c, d, b}) < before)) return false;
     const Index twin_bc = twin_[next(side)];
     const Index twin_ca = twin_[next(next(side))];
     const Index twin_ad = twin_[next(other)];
@@ -144,6 +148,14 @@ class SurfaceRefiner {
     const Vec3 u = point(from) - point(at);
     const Vec3 v = point(to) - point(at);
     return u.dot(v) / u.cross(v).norm();
+  }
+
+  // Of all angles of a face; the same to the bit in whatever order its corners are given.
+  double cotangents(Triangle face) const {
+    std::sort(face.begin(), face.end());
+    const Vec3 u = point(face[1]) - point(face[0]);
+    const Vec3 v = point(face[2]) - point(face[0]);
+    return (u.squaredNorm() + v.squaredNorm() + (u - v).squaredNorm()) / (2.0 * u.cross(v).norm());
   }
 
   RefinedSurface refined_;
