@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+#include "tests/swept_fixtures.h"
+
 namespace mgf::test {
 namespace {
 
@@ -33,16 +35,7 @@ struct LabelledPlate {
     for (const Vec3& p : faces.centroid) label.push_back(label_at(p));
   }
 
-  double border_length() const {
-    double length = 0.0;
-    for (Index f = 0; f < label.size(); ++f) {
-      for (Index i = 0; i < 3; ++i) {
-        const Index g = faces.neighbour[f][i];
-        if (g != kNone && g > f && label[g] != label[f]) length += faces.edge_length[f][i];
-      }
-    }
-    return length;
-  }
+  double border_length() const { return test::border_length(faces, label); }
 
   void relax(double reach, unsigned threads = 1) {
     relax_borders(faces, std::vector<double>(label.size(), reach), threads, label);

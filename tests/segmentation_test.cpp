@@ -63,6 +63,28 @@ TEST(GeodesicCircles, CloseTheThreePathsAndListEachFaceOnce) {
   EXPECT_EQ(circles.eccentricity, std::vector<double>{1.25});
 }
 
+TEST(GeodesicCircles, AreEmptyWhereTwoContactsHaveNoPath) {
+  struct Path {
+    std::vector<Vec3> points;
+    std::vector<Index> faces;
+  };
+  CurveSkeleton skeleton = test::line_skeleton(4.0, 4, 1.0);
+  skeleton.contacts = {{0, 1, 2}, {0, 1, 9}, {0, 8, 9}, {7, 8, 9}};  // 0 to 4 and 5 to 9 lie apart
+  const GeodesicCircles circles = trace_geodesic_circles(skeleton, [](Index a, Index b) {
+    return (a < 5) == (b < 5) ? Path{{Vec3(a, 0, 0), Vec3(b, 0, 0)}, {a, b}} : Path{};
+  });
+  ASSERT_EQ(circles.polyline.size(), 4U);
+  ASSERT_EQ(circles.faces.size(), 4U);
+  for (const Index c : {0U, 3U}) {
+    EXPECT_EQ(circles.polyline[c].size(), 4U);
+    EXPECT_EQ(circles.faces[c].size(), 3U);
+  }
+  for (const Index c : {1U, 2U}) {
+    EXPECT_TRUE(circles.polyline[c].empty());
+    EXPECT_TRUE(circles.faces[c].empty());
+  }
+}
+
 TEST(Segmentation, CutsAPaddleWhereItsEccentricityCrossesTheThreshold) {
   const CircledShape shape = paddle(100, 50);
   const Segmentation result = segment(shape);
@@ -161,6 +183,22 @@ TEST(Segmentation, AFlatPatchSmallerThanTheTubesSectionIsNoise) {
     EXPECT_EQ(result.tubular[circles[stray][0]], 1);
     EXPECT_EQ(result.eccentricity[circles[stray][0]], 1.0);
   }
+}
+
+TEST(Segmentation, HasBordersAsShortAsTheGirth) {
+  constexpr Index kRings = 100;
+  CircledShape shape = circled_tube(6.5, 1.0, kRings, 96);
+  std::vector<std::vector<Index>> circles(kRings);
+  for (Index e = 0; e < kRings; ++e) {
+    for (const Index f : shape.circles.faces[e]) {
+      const bool tooth = f % 192 / 6 % 2 == 0;  // three squares wide and as high
+      circles[tooth ? e : std::min(e + 3, kRings - 1)].push_back(f);
+    }
+  }
+  for (Index e = kRings / 2; e < kRings; ++e) shape.skeleton.eccentricity[e] = 2.0;
+  set_circles(circles, shape);
+  const FaceGraph faces = build_face_graph(shape.surface);
+  EXPECT_LT(test::border_length(faces, segment(shape).tubular), 1.1 * 2 * M_PI);
 }
 
 TEST(Segmentation, DoesntDependOnTheOrderOfFaces) {

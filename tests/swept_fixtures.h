@@ -13,6 +13,7 @@
 #include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
+#include "vcg_ext/surface/face_flood.h"
 #include "vcg_ext/surface/geodesic_circles.h"
 
 namespace mgf::test {
@@ -32,6 +33,19 @@ inline void set_circles(const std::vector<std::vector<Index>>& faces, CircledSha
     shape.circles.faces.close_row();
   }
   shape.circles.eccentricity = shape.skeleton.eccentricity;
+}
+
+/// Length of the edges between faces whose labels differ.
+template <class Label>
+double border_length(const FaceGraph& faces, const std::vector<Label>& label) {
+  double length = 0.0;
+  for (Index f = 0; f < label.size(); ++f) {
+    for (Index i = 0; i < 3; ++i) {
+      const Index g = faces.neighbour[f][i];
+      if (g != kNone && g > f && label[g] != label[f]) length += faces.edge_length[f][i];
+    }
+  }
+  return length;
 }
 
 /// A closed tube along x of the given length: `rings` rings of 2 · `sides` faces, and two caps

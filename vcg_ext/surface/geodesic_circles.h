@@ -13,7 +13,8 @@ namespace mgf {
 
 /// One circle per edge of a curve skeleton, in the skeleton's order.
 struct GeodesicCircles {
-  Rows<Vec3> polyline;               ///< points of the closed curve; the last repeats the first
+  Rows<Vec3> polyline;               ///< points of the closed curve; the last repeats the first;
+                                     ///< empty where there is no path between two contacts
   Rows<Index> faces;                 ///< triangles of the surface that the curve runs through or
                                      ///< along, ascending, each once
   std::vector<double> eccentricity;  ///< e(E)
@@ -32,17 +33,19 @@ GeodesicCircles trace_geodesic_circles(const CurveSkeleton& skeleton, const Path
     const auto bc = path_of(contact[1], contact[2]);
     const auto ac = path_of(contact[0], contact[2]);
 
-    std::vector<Vec3>& points = circles.polyline.items;
-    points.insert(points.end(), ab.points.begin(), ab.points.end());
-    points.insert(points.end(), bc.points.begin() + 1, bc.points.end());
-    points.insert(points.end(), ac.points.rbegin() + 1, ac.points.rend());
+    std::vector<Index> faces;
+    if (!ab.points.empty() && !bc.points.empty() && !ac.points.empty()) {
+      std::vector<Vec3>& points = circles.polyline.items;
+      points.insert(points.end(), ab.points.begin(), ab.points.end());
+      points.insert(points.end(), bc.points.begin() + 1, bc.points.end());
+      points.insert(points.end(), ac.points.rbegin() + 1, ac.points.rend());
+      faces = ab.faces;
+      faces.insert(faces.end(), bc.faces.begin(), bc.faces.end());
+      faces.insert(faces.end(), ac.faces.begin(), ac.faces.end());
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    }
     circles.polyline.close_row();
-
-    std::vector<Index> faces(ab.faces.begin(), ab.faces.end());
-    faces.insert(faces.end(), bc.faces.begin(), bc.faces.end());
-    faces.insert(faces.end(), ac.faces.begin(), ac.faces.end());
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     circles.faces.items.insert(circles.faces.items.end(), faces.begin(), faces.end());
     circles.faces.close_row();
   }
