@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/graph_fixtures.h"
+#include "vcg_ext/skeleton/resampling.h"
 
 namespace mgf {
 namespace {
@@ -116,19 +117,71 @@ TEST(Smoothing, ShiftsNoFurtherThanAllowedEvenWhereTheZigzagIsWild) {
   expect_faithful(raw, graph, smooth_skeleton(raw, graph, everywhere()), 0.1);
 }
 
-TEST(Smoothing, StraightensTheZigzagOfAPlateThinnerThanItsMesh) {
-  // From side to side of a blade of width 4 whose ball has a radius of 0.1.
+// From side to side of a blade of width `width` whose ball has a radius of 0.1.
+CurveSkeleton zigzag(double width) {
   std::vector<Vec3> nodes{Vec3::Zero()};
   std::vector<std::array<Index, 2>> edges;
   add_polyline(nodes, edges, 0, kNone, 80,
-               [](double t) { return Vec3(20 * t, std::lround(80 * t) % 4 < 2 ? 0.0 : 0.4, 0.0); });
+               [](double t) { return Vec3(4 * t, std::lround(80 * t) % 2 == 0 ? 0.0 : 0.4, 0.0); });
   CurveSkeleton raw = tube_skeleton(nodes, edges, 0.1);
-  for (double& mgf : raw.node_mgf) mgf = 4.0;
+  for (double& mgf : raw.node_mgf) mgf = width;
+  return raw;
+}
+
+TEST(Smoothing, StraightensTheZigzagOfAPlateThinnerThanItsMesh) {
+  const CurveSkeleton raw = zigzag(4.0);
   const BranchGraph graph = build_branches(raw);
   const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere());
   expect_faithful(raw, graph, smooth, 0.5 * 4.0 / M_PI);
   EXPECT_LE(smooth.mean_turning, 5 * kDegree);
   for (const double radius : smooth.radius) EXPECT_DOUBLE_EQ(radius, 0.1);
+}
+
+TEST(Smoothing, CantStraightenAZigzagAsWideAsThePlate) {
+  const CurveSkeleton raw = zigzag(0.2 * M_PI);  // it may be shifted by half of 0.2
+  const BranchGraph graph = build_branches(raw);
+  const SmoothSkeleton smooth = smooth_skeleton(raw, graph, everywhere());
+  expect_faithful(raw, graph, smooth, 0.1);
+  EXPECT_GT(smooth.mean_turning, 5 * kDegree);
+}
+
+TEST(Smoothing, CountsInRadiiOfTheTubeOnlyWhereThatOfTheBallLeavesAZigzag) {
+  const auto smooth_wave = [](double period, double width) {
+    std::vector<Vec3> nodes{Vec3::Zero()};
+    std::vector<std::array<Index, 2>> edges;
+    add_polyline(nodes, edges, 0, kNone, 200,
+                 [&](double t) { return Vec3(12 * t, std::sin(2 * M_PI * 12 * t / period), 0); });
+    CurveSkeleton raw = tube_skeleton(nodes, edges, 0.5);
+    for (double& mgf : raw.node_mgf) mgf = width;
+    return smooth_skeleton(raw, build_branches(raw), everywhere());
+  };
+  const double tube = 0.5 * M_PI;
+  const double plate = 4.0 * tube;
+  EXPECT_EQ(smooth_wave(3.0, plate).position, smooth_wave(3.0, tube).position);
+  EXPECT_GT(smooth_wave(3.0, plate).mean_turning, 4 * kDegree);  // it would gain by the tube's
+  EXPECT_GT(smooth_wave(2.0, tube).mean_turning, 5 * kDegree);
+  EXPECT_LT(smooth_wave(2.0, plate).mean_turning, 2 * kDegree);
+}
+
+TEST(BranchCurve, IsMeasuredInRadiiOfTheBallOrOfTheTube) {
+  CurveSkeleton skeleton = line_skeleton(6.0, 2, 0.5);
+  skeleton.node_mgf = {2.0 * M_PI, 2.0 * M_PI, 0.1};
+  const BranchGraph graph = build_branches(skeleton);
+  const BranchCurve ball = branch_curve(skeleton, graph.branches[0], LocalRadius::kBall);
+  EXPECT_EQ(ball.unit, (std::vector<double>{0.5, 0.5, 0.5}));
+  EXPECT_DOUBLE_EQ(ball.parameter.back(), 12.0);
+  BranchCurve tube = branch_curve(skeleton, graph.branches[0], LocalRadius::kTube);
+  std::sort(tube.unit.begin(), tube.unit.end());  // whichever end is first
+  EXPECT_EQ(tube.unit, (std::vector<double>{0.5, 2.0, 2.0})) << "the ball's where it is larger";
+  EXPECT_EQ(tube.radius, (std::vector<double>{0.5, 0.5, 0.5}));
+}
+
+TEST(BranchCurve, IsMeasuredInRadiiOfTheBallWhereTheMgfIsInfinite) {
+  CurveSkeleton skeleton = line_skeleton(6.0, 2, 0.5);
+  skeleton.node_mgf.assign(3, std::numeric_limits<double>::infinity());
+  const BranchGraph graph = build_branches(skeleton);
+  const BranchCurve curve = branch_curve(skeleton, graph.branches[0], LocalRadius::kTube);
+  EXPECT_EQ(curve.unit, (std::vector<double>{0.5, 0.5, 0.5}));
 }
 
 TEST(Smoothing, FollowsTheRawCurveWhereNothingElseIsInside) {

@@ -50,10 +50,11 @@ inline BranchCurve branch_curve(const CurveSkeleton& skeleton, const Branch& bra
   BranchCurve curve;
   for (const Index v : branch.nodes) {
     const double ball = skeleton.radius[v];
-    const double tube = skeleton.node_mgf[v] / kPi;
+    const double mgf = skeleton.node_mgf[v];  // infinite between pieces of a surface that cross
+    const double tube = std::isfinite(mgf) ? mgf / kPi : ball;
     curve.point.push_back(skeleton.position[v]);
     curve.radius.push_back(ball);
-    curve.mgf.push_back(skeleton.node_mgf[v]);
+    curve.mgf.push_back(mgf);
     curve.unit.push_back(counted == LocalRadius::kTube ? std::max(ball, tube) : ball);
   }
   const double largest = *std::max_element(curve.unit.begin(), curve.unit.end());
