@@ -36,6 +36,40 @@ def open_torus():
     return vertices, triangles[:-6]
 
 
+def moved(mesh, x, y, z):
+    vertices, triangles = mesh
+    return [(a + x, b + y, c + z) for a, b, c in vertices], triangles
+
+
+def joined(first, second):
+    vertices, triangles = first
+    shift = len(vertices)
+    return vertices + second[0], triangles + [tuple(v + shift for v in t) for t in second[1]]
+
+
+def broken_meshes():
+    """Meshes that the filters refuse: name, mesh, and the words of the reason."""
+    vertices, triangles = torus()
+    fin = vertices + [(0, 0, 9)], [*triangles, (*triangles[0][:2], len(vertices))]
+    turned = vertices, [t[::-1] for t in triangles[:3]] + triangles[3:]
+    infinite = [(math.inf, 0, 0), *vertices[1:]], triangles
+    nan = [(math.nan, 0, 0), *vertices[1:]], triangles
+    lens = vertices[:3], [(0, 1, 2), (0, 2, 1)]
+    inner = torus(radius=1.0, thickness=0.2)
+    return [
+        ("open", open_torus(), r"1 hole\. .*Close Holes"),
+        ("fin", fin, r"1 edge belongs to more than two faces\. .*Repair non Manifold Edges"),
+        ("turned", turned, r"3 faces look the other way .*Re-Orient"),
+        ("infinite", infinite, r"1 vertex has a coordinate that isn't a finite number\. .*Delete"),
+        ("nan", nan, r"1 vertex has a coordinate that isn't a finite number\. .*Delete"),
+        ("lens", lens, r"1 closed piece encloses no volume\. .*Remove"),
+        ("triangle", (vertices[:3], [(0, 1, 2)]), r"1 hole\. .*Close Holes"),
+        ("nested", joined(torus(), inner), r"1 piece lies inside another one\. .*cavities"),
+        ("points", (vertices, []), r"no face with an area\. .*Surface Reconstruction"),
+        ("nothing", ([], []), r"no vertices\. .*Choose a layer"),
+    ]
+
+
 def off(mesh):
     vertices, triangles = mesh
     lines = [f"OFF\n{len(vertices)} {len(triangles)} 0"]

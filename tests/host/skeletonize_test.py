@@ -93,6 +93,18 @@ class Results(HostTest):
             first, second = (self.folder / "out" / s / name for s in ("first", "second"))
             self.assertEqual(first.read_bytes(), second.read_bytes(), name)
 
+    def test_solids_that_overlap_have_their_files_and_a_warning(self):
+        """Between them some contacts lie on different ones, so that no path joins them."""
+        mesh = shapes.torus(24, 10)
+        self.write("overlapping.off", shapes.joined(mesh, shapes.moved(mesh, 0.5, 0.1, 0.05)))
+        done = skeletonize("overlapping.off", "--out", "out", folder=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        results = self.folder / "out" / "overlapping"
+        self.assertEqual({entry.name for entry in results.iterdir()}, RESULT_FILES)
+        said = report(results)
+        self.assertEqual(said["status"], "warning")
+        self.assertIn("self_intersections", [warning["code"] for warning in said["warnings"]])
+
     def test_theta_and_threshold_reach_the_filter(self):
         self.write("torus.off", shapes.torus())
         words = ["--theta", "-0.4", "--eccentricity-threshold", "1.7"]
@@ -150,6 +162,20 @@ class Failures(HostTest):
             self.assertEqual([entry.name for entry in results.iterdir()], ["report.json"])
             self.assertEqual(report(results)["status"], "failed")
             self.assertTrue(report(results)["error"]["code"])
+
+    def test_each_kind_of_broken_mesh_is_refused_with_count_and_remedy(self):
+        meshes = shapes.broken_meshes()
+        inputs = [self.write(f"{name}.off", mesh) for name, mesh, _ in meshes]
+        inputs.append(self.folder / "empty.off")
+        inputs[-1].touch()
+        done = skeletonize(*inputs, "--out", "out", folder=self.folder)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        for name, _, reason in [*meshes, ("empty", None, "the file is empty")]:
+            with self.subTest(mesh=name):
+                self.assertRegex(done.stderr, rf"{name}\.off: .*{reason}")
+                results = self.folder / "out" / name
+                self.assertEqual([entry.name for entry in results.iterdir()], ["report.json"])
+                self.assertRegex(report(results)["error"]["message"], reason)
 
     def test_a_failure_clears_away_the_results_of_an_earlier_run_and_nothing_else(self):
         self.write("torus.off", shapes.torus())
