@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -170,6 +171,19 @@ TEST(Recovery, GivesAnHonestResultWhenItsBoundsDontDo) {
             interior.certificate.betti == expected);
   // Inside by rays: what is missing are slivers.
   EXPECT_NEAR(volume(interior), signed_volume(surface), 0.05 * signed_volume(surface));
+}
+
+// Some stuck edge of this torus has no room for a point until another one has got one.
+TEST(BoundaryRecovery, EdgesWithoutRoomForAPointWaitUntilOthersMadeSome) {
+  TriangleSurface surface =
+      fixtures::rotated(fixtures::torus(24, 10, 1.0, 0.3), 0.7, Vec3(1, 2, 3));
+  for (Vec3& p : surface.points) p = p.cwiseProduct(Vec3(1.0, 0.3, 0.3));
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const RecoveredMesh recovered = attempt_recovery(boxed(in_spatial_order(surface)),
+                                                     {seed, 200, 0.05, 400, false, false}, {});
+    EXPECT_TRUE(recovered.complete);
+    EXPECT_GT(recovered.points_added, 0U);
+  }
 }
 
 TEST(Recovery, IsTheSameInEveryRun) {
