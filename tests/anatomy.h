@@ -12,7 +12,6 @@
 #include "vcg_ext/medial/placement.h"
 #include "vcg_ext/medial/recover_interior.h"
 #include "vcg_ext/skeleton/branches.h"
-#include "vcg_ext/skeleton/level_of_detail.h"
 #include "vcg_ext/skeleton/skeleton_hierarchy.h"
 #include "vcg_ext/skeleton/smoothing.h"
 #include "vcg_ext/surface/branch_areas.h"

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "vcg_ext/core/types.h"
-#include "vcg_ext/skeleton/branch_chains.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/shape_interior.h"
 

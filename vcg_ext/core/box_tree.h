@@ -2,7 +2,6 @@
 // A tree of axis-parallel boxes: finds the few of many items that a query can concern.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cstddef>

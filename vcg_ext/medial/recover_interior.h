@@ -9,7 +9,6 @@
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/autorefine.h"
-#include "vcg_ext/exact/self_intersections.h"
 #include "vcg_ext/medial/betti.h"
 #include "vcg_ext/medial/boxed_surface.h"
 #include "vcg_ext/medial/interior_choice.h"

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"

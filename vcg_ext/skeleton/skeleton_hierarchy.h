@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "vcg_ext/core/disjoint_sets.h"
-#include "vcg_ext/core/errors.h"
 #include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"

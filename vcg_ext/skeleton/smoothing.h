@@ -10,7 +10,6 @@
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/graph_edits.h"
-#include "vcg_ext/skeleton/inside_routes.h"
 #include "vcg_ext/skeleton/resampling.h"
 #include "vcg_ext/skeleton/shape_interior.h"
 #include "vcg_ext/skeleton/smooth_branch.h"

@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -13,7 +12,6 @@
 #include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/input/refined_surface.h"
-#include "vcg_ext/skeleton/branch_chains.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/eccentricity_filter.h"

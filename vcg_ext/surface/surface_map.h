@@ -9,7 +9,6 @@
 #include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/input/refined_surface.h"
-#include "vcg_ext/skeleton/branch_chains.h"
 #include "vcg_ext/skeleton/branches.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/junction_zones.h"
