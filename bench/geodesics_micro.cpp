@@ -5,7 +5,7 @@
 #include <iostream>
 #include <vector>
 
-#include "bench_support.h"
+#include "bench/bench_support.h"
 #include "vcg_ext/geodesics/coherent_paths.h"
 #include "vcg_ext/geodesics/flat_vertices.h"
 #include "vcg_ext/geodesics/path_certificate.h"
