@@ -12,12 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "bench/program.h"
 #include "filter_mgf_skeleton/io/peak_memory.h"
 #include "filter_mgf_skeleton/tools/file_mesh.h"
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/medial/interior_tetrahedra.h"
 
 namespace mgf::bench {
 
@@ -37,6 +37,19 @@ inline TriangleSurface read_surface(const std::filesystem::path& path) {
   for (const files::Point& p : mesh.points) surface.points.emplace_back(p[0], p[1], p[2]);
   surface.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
   return surface;
+}
+
+/// As reports call a verdict.
+inline const char* word(TopologyVerdict verdict) {
+  switch (verdict) {
+    case TopologyVerdict::kProven:
+      return "proven";
+    case TopologyVerdict::kCounted:
+      return "counted";
+    case TopologyVerdict::kFailed:
+      return "failed";
+  }
+  return "";
 }
 
 /// Processor time of all threads of this process, user and system.

@@ -5,8 +5,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "bench_support.h"
+#include "bench/bench_support.h"
+#include "vcg_ext/core/constants.h"
+#include "vcg_ext/exact/surface_tree.h"
 #include "vcg_ext/mgf_skeleton.h"
+#include "vcg_ext/skeleton/branches.h"
+#include "vcg_ext/skeleton/smoothing.h"
 
 namespace {
 
@@ -43,16 +47,13 @@ Arguments parse(int count, char** values) {
   return arguments;
 }
 
-const char* word(mgf::TopologyVerdict verdict) {
-  switch (verdict) {
-    case mgf::TopologyVerdict::kProven:
-      return "proven";
-    case mgf::TopologyVerdict::kCounted:
-      return "counted";
-    case mgf::TopologyVerdict::kFailed:
-      return "failed";
-  }
-  return "";
+// The mean angle between the segments of a branch of the smooth curve, degrees.
+double turning_of(const mgf::MedialAxis& axis, const mgf::CurveSkeleton& skeleton) {
+  const mgf::SurfaceTree tree(axis.working.surface);
+  const bool crossing = axis.diagnosis.find("self_intersections") != nullptr;
+  const mgf::SmoothSkeleton smooth = mgf::smooth_skeleton(skeleton, mgf::build_branches(skeleton),
+                                                          mgf::shape_interior(tree, crossing));
+  return smooth.mean_turning * 180.0 / mgf::kPi;
 }
 
 Json measure(const Arguments& arguments) {
@@ -80,6 +81,7 @@ Json measure(const Arguments& arguments) {
   const mgf::CurveSkeleton skeleton =
       mgf::skeleton_at(result.hierarchy, options.theta, options.prune);
   seconds["total"] = total.wall();
+  const double cpu = total.cpu();
 
   const auto& certification = function.field.geodesics.certification;
   const mgf::BettiNumbers betti = mgf::betti_numbers(skeleton);
@@ -87,15 +89,17 @@ Json measure(const Arguments& arguments) {
       {"mesh", arguments.mesh},
       {"vertices", surface.points.size()},
       {"genus", axis.working.genus},
-      {"topology", word(axis.interior.certificate.topology)},
+      {"topology", mgf::bench::word(axis.interior.certificate.topology)},
       {"facets", axis.complex.facet_count()},
       {"pairs", certification.size()},
       {"proven", std::count(certification.begin(), certification.end(), Certification::kProven)},
       {"nodes", skeleton.node_count()},
       {"b0", betti.b0},
       {"b1", betti.b1},
+      {"outside_edges", std::count(skeleton.outside.begin(), skeleton.outside.end(), char{1})},
+      {"turning", turning_of(axis, skeleton)},
       {"wall", seconds["total"]},
-      {"cpu", total.cpu()},
+      {"cpu", cpu},
       {"cpu_geodesics", cpu_of_geodesics},
       {"seconds", seconds}};
 }
