@@ -2,6 +2,7 @@
 #include "filter_mgf_skeleton/analysis.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "vcg_ext/exact/surface_tree.h"
@@ -71,6 +72,7 @@ SurfaceGirth surface_girth(const MedialAxis& axis, const MedialGeodesicField& fi
   const TriangleSurface& refined = axis.surface.surface;
   std::vector<double> girth(refined.points.size(), 0.0);
   for (std::size_t f = 0; f < axis.complex.facet_count(); ++f) {
+    if (!std::isfinite(field.mgf[f])) continue;
     const VertexPair& contacts = axis.complex.facet_contacts[f];
     girth[contacts.a] = std::max(girth[contacts.a], field.mgf[f]);
     girth[contacts.b] = std::max(girth[contacts.b], field.mgf[f]);

@@ -41,8 +41,8 @@ struct SurfaceAnalysis {
 SurfaceAnalysis analyse_surface(const Study& study, const SkeletonLevel& level,
                                 double eccentricity_threshold);
 
-/// The largest MGF of the Voronoi facets that touch each vertex and face of the working copy: its
-/// local girth. A vertex that none touches takes the largest of its neighbours'.
+/// The largest finite MGF of the Voronoi facets that touch each vertex and face of the working
+/// copy: its local girth. A vertex that none touches takes the largest of its neighbours'.
 struct SurfaceGirth {
   std::vector<double> of_vertex;
   std::vector<double> of_face;

@@ -21,12 +21,7 @@ std::uint8_t faux_sides(std::size_t i, std::size_t count) {
   return static_cast<std::uint8_t>(first | last);
 }
 
-/// Undefined eccentricities have no place on a scale: 0 says so and is below every real one.
-double shown(double value) {
-  return std::isfinite(value) ? value : 0.0;
-}
-
-std::vector<double> shown(const std::vector<double>& values) {
+std::vector<double> all_shown(const std::vector<double>& values) {
   std::vector<double> result;
   result.reserve(values.size());
   for (const double value : values) result.push_back(shown(value));
@@ -54,16 +49,16 @@ std::vector<double> mean_of_ends(const CurveSkeleton& skeleton,
 void measure(const CurveSkeleton& skeleton, SkeletonQuality quality, SkeletonPaint& paint) {
   switch (quality) {
     case SkeletonQuality::kMgf:
-      paint.of_node = skeleton.node_mgf;
-      paint.of_edge = skeleton.mgf;
+      paint.of_node = all_shown(skeleton.node_mgf);
+      paint.of_edge = all_shown(skeleton.mgf);
       break;
     case SkeletonQuality::kRadius:
       paint.of_node = skeleton.radius;
       paint.of_edge = mean_of_ends(skeleton, skeleton.radius);
       break;
     default:
-      paint.of_node = shown(skeleton.node_eccentricity);
-      paint.of_edge = shown(skeleton.eccentricity);
+      paint.of_node = all_shown(skeleton.node_eccentricity);
+      paint.of_edge = all_shown(skeleton.eccentricity);
       break;
   }
 }
@@ -82,6 +77,10 @@ const char* name_of(SkeletonQuality quality) {
 }
 
 }  // namespace
+
+double shown(double value) {
+  return std::isfinite(value) ? value : 0.0;
+}
 
 Legend make_legend(const std::string& quantity, std::vector<double> values) {
   constexpr double kTail = 0.02;

@@ -11,6 +11,10 @@
 
 namespace mgf::plugin {
 
+/// What a value is shown as: 0, below every real one, for what isn't finite. Eccentricity can be
+/// undefined, and the MGF infinite between pieces of a surface that cross each other.
+double shown(double value);
+
 /// A colour scale and the sentence for the log that says what it means.
 struct Legend {
   io::ColourScale scale;

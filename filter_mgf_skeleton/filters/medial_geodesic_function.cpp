@@ -13,8 +13,9 @@ Layer function_layer(const MedialAxis& axis, const MedialGeodesicField& field,
   Layer& layer = facets.layer;
   std::array<Attribute, 3> gradient{{{"gradient_x", {}}, {"gradient_y", {}}, {"gradient_z", {}}}};
   for (const Index f : facets.facet) {
-    layer.face_quality.push_back(field.mgf[f]);
-    layer.face_colour.push_back(legend.scale(field.mgf[f]));
+    const double value = shown(field.mgf[f]);
+    layer.face_quality.push_back(value);
+    layer.face_colour.push_back(legend.scale(value));
     for (int i = 0; i < 3; ++i) {
       gradient[static_cast<std::size_t>(i)].values.push_back(field.gradient[f][i]);
     }
