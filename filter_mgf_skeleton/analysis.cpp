@@ -48,9 +48,8 @@ Warnings warnings_of(const SkeletonLevel& level) {
 SmoothSkeleton smooth_level(const Study& study, const SkeletonLevel& level) {
   const MedialAxis& axis = *study.axis;
   const SurfaceTree tree(axis.working.surface);
-  return smooth_skeleton(
-      level.skeleton, level.graph,
-      shape_interior(tree, axis.diagnosis.find("self_intersections") != nullptr));
+  return smooth_skeleton(level.skeleton, level.graph,
+                         shape_interior(tree, axis.working.self_intersecting()));
 }
 
 SurfaceAnalysis analyse_surface(const Study& study, const SkeletonLevel& level,

@@ -128,6 +128,9 @@ io::Report report_of(const ExportBundle& bundle) {
                   to_index(bundle.mesh.triangles.size()),
                   axis.working.solids,
                   axis.working.genus};
+  const Untangling& untangling = axis.working.untangling;
+  report.crossings = io::CrossingsReport{untangling.pairs_mended, untangling.left.size(),
+                                         untangling.moved.size(), untangling.largest_move};
   report.medial_axis =
       io::MedialAxisReport{axis.samples_added, to_index(axis.complex.vertex_count()),
                            to_index(axis.complex.edge_count()),

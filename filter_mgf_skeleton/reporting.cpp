@@ -50,6 +50,11 @@ void report_medial_axis(const MedialAxis& axis, FilterOutput& output) {
   MeasurementList list(output);
   list.add("components", "Solids", axis.working.solids);
   list.add("genus", "Genus", axis.working.genus);
+  list.add("crossings_mended", "Pairs of crossing faces parted",
+           axis.working.untangling.pairs_mended);
+  list.add("crossings_left", "Pairs of crossing faces left", axis.working.untangling.left.size());
+  list.add("vertices_moved", "Vertices moved for that", axis.working.untangling.moved.size());
+  list.add("largest_move", "Largest such move", axis.working.untangling.largest_move);
   list.add("samples_added", "Points added on the surface", axis.samples_added);
   list.add("voronoi_vertices", "Voronoi vertices inside", axis.complex.vertex_count());
   list.add("voronoi_edges", "Voronoi edges inside", axis.complex.edge_count());

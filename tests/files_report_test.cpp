@@ -22,6 +22,7 @@ Report full_report() {
   Report report;
   report.status = ReportStatus::kWarning;
   report.input = {"hand \"left\".off", 4780, 9556, 1, 0};
+  report.crossings = {417, 3, 459, 0.25};
   report.medial_axis = {12, 100, 200, 101, {1, 0, 0}};
   report.certificate = TopologyCertificate{};
   report.certificate->topology = TopologyVerdict::kProven;
@@ -51,6 +52,7 @@ TEST(ReportJson, HasTheFrozenMembers) {
     }
   };
   has("input", {"vertices", "faces", "components", "genus"});
+  has("crossings", {"pairs_mended", "pairs_left", "vertices_moved", "largest_move"});
   has("medial_axis", {"samples_added", "vertices", "edges", "facets", "b0", "b1", "b2"});
   has("mgf", {"facets", "certified"});
   has("skeleton", {"nodes", "edges", "b0", "b1", "leaves", "junctions", "residual_facets"});

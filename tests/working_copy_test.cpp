@@ -111,7 +111,7 @@ TEST(WorkingCopy, FillsACavityOnDemand) {
   for (const TriangleSurface& inner : {sphere(1), reversed(sphere(1))}) {
     const TriangleSurface hollow = joined(inner, sphere(2, 2.0));
     const DiagnosisOptions options{true};
-    const WorkingCopy copy = prepare(hollow, diagnose(hollow, options), options);
+    const WorkingCopy copy = prepare(hollow, diagnose(hollow, options));
     EXPECT_TRUE(same(copy.surface, sphere(2, 2.0)));
     EXPECT_EQ(copy.solids, 1U);
     EXPECT_EQ(copy.face_of_input[0], kNone);

@@ -84,7 +84,7 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   StageClock clock;
   progress.report(0.0, "Checking the mesh");
   axis.diagnosis = diagnose(input, options.diagnosis);
-  axis.working = prepare(input, axis.diagnosis, options.diagnosis);
+  axis.working = prepare(input, axis.diagnosis, options.preparation);
   axis.warnings = axis.working.warnings;
   clock.finish("check", axis.times);
 
@@ -96,8 +96,7 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   clock.finish("sampling", axis.times);
 
   RecoveryOptions recovery = options.recovery;
-  const Finding* crossings = axis.diagnosis.find("self_intersections");
-  recovery.known_crossings = crossings != nullptr ? crossings->count : 0;
+  recovery.known_crossings = axis.working.untangling.left.size();
   axis.interior = recover_interior(sampled.surface, recovery, progress.slice(0.3, 0.9));
   clock.finish("topology", axis.times);
 
@@ -136,11 +135,10 @@ CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
   StageClock clock;
   progress.report(0.0, "Erosion");
   const SurfaceTree tree(axis.working.surface);
-  const bool self_intersecting = axis.diagnosis.find("self_intersections") != nullptr;
   result.hierarchy =
       build_skeleton_hierarchy(axis.interior, axis.complex, field, axis.surface.surface,
                                bounding_box_diagonal(axis.interior.points), options,
-                               shape_interior(tree, self_intersecting));
+                               shape_interior(tree, axis.working.self_intersecting()));
   clock.finish("skeleton", result.times);
 
   const SkeletonHierarchy& hierarchy = result.hierarchy;

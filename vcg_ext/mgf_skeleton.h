@@ -35,6 +35,7 @@ using StageTimes = std::vector<StageTime>;
 /// How the input is prepared and its medial axis made.
 struct MedialAxisOptions {
   DiagnosisOptions diagnosis;
+  PreparationOptions preparation;
   SamplingOptions sampling;
   RecoveryOptions recovery;
 

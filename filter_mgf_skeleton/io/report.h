@@ -2,6 +2,7 @@
 // What a run tells about itself: the contents of report.json.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,14 @@ struct InputReport {
   Index faces = 0;
   Index components = 0;
   Index genus = 0;
+};
+
+/// Faces that crossed each other, and what was done about it on the working copy.
+struct CrossingsReport {
+  std::size_t pairs_mended = 0;
+  std::size_t pairs_left = 0;
+  std::size_t vertices_moved = 0;
+  double largest_move = 0.0;  ///< mesh units
 };
 
 /// The medial complex; Betti numbers are those of the complex.
@@ -76,6 +85,7 @@ struct Report {
   ReportStatus status = ReportStatus::kOk;
   std::optional<Warning> error;  ///< why it failed
   InputReport input;
+  std::optional<CrossingsReport> crossings;
   std::optional<MedialAxisReport> medial_axis;
   std::optional<TopologyCertificate> certificate;
   std::optional<MgfReport> mgf;

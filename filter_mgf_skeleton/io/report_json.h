@@ -73,6 +73,13 @@ inline Json section(const InputReport& input) {
   return json;
 }
 
+inline Json section(const CrossingsReport& crossings) {
+  return {{"pairs_mended", crossings.pairs_mended},
+          {"pairs_left", crossings.pairs_left},
+          {"vertices_moved", crossings.vertices_moved},
+          {"largest_move", crossings.largest_move}};
+}
+
 inline Json section(const MedialAxisReport& medial_axis) {
   Json json{{"samples_added", medial_axis.samples_added},
             {"vertices", medial_axis.vertices},
@@ -161,6 +168,7 @@ inline Json to_json(const Report& report) {
   json["status"] = word(report.status);
   add("error", report.error);
   json["input"] = section(report.input);
+  add("crossings", report.crossings);
   add("medial_axis", report.medial_axis);
   add("certificate", report.certificate);
   add("mgf", report.mgf);

@@ -27,7 +27,9 @@ struct Diagnosis {
   std::vector<Finding> findings;  ///< in the order of the checks
   std::vector<Shell> shells;      ///< by their least face; empty if the surface isn't closed
   Index genus = 0;                ///< sum over the solids; cavities don't count
-  bool servable = false;          ///< nothing fatal was found
+  /// Pairs of the input's faces that intersect; behind the finding "self_intersections".
+  std::vector<std::array<Index, 2>> crossings;
+  bool servable = false;  ///< nothing fatal was found
 
   /// The finding of that code, or nullptr.
   const Finding* find(const std::string& code) const {
@@ -207,17 +209,18 @@ inline void check_sampling(const TriangleSurface& surface, const Shells& shells,
   findings.push_back(make_finding("too_coarse", Severity::kWarning, count, std::move(faces)));
 }
 
-/// All findings on the cleaned surface, in its numbering; fills in the diagnosis' shells.
+/// All findings on the cleaned surface, in its numbering; fills in the diagnosis' shells, and the
+/// crossings in that numbering, too.
 inline std::vector<Finding> examine(const TriangleSurface& surface, bool sound,
                                     const DiagnosisOptions& options, Diagnosis& diagnosis) {
   std::vector<Finding> findings;
   if (surface.triangles.empty()) return {make_finding("no_faces", Severity::kFatal, 1)};
   const EdgeTable edges = make_edge_table(surface.triangles);
   findings = check_manifold(surface, edges);
-  const auto crossing = exact::self_intersections(surface, options.threads);
-  check_self_intersections(crossing, findings);
+  diagnosis.crossings = exact::self_intersections(surface, options.threads);
+  check_self_intersections(diagnosis.crossings, findings);
   if (!sound || is_fatal(findings)) return findings;
-  Shells shells = find_shells(surface, edges, crossing);
+  Shells shells = find_shells(surface, edges, diagnosis.crossings);
   check_shells(shells, options, findings);
   if (!is_fatal(findings)) check_sampling(surface, shells, options.threads, findings);
   diagnosis.shells = std::move(shells.shells);
@@ -242,6 +245,9 @@ inline Diagnosis diagnose(const TriangleSurface& input, const DiagnosisOptions& 
   const bool sound = add(std::move(cleaned.findings));
   std::vector<Finding> findings = detail::examine(cleaned.surface, sound, options, diagnosis);
   for (Finding& finding : findings) detail::translate(cleaned, finding);
+  for (auto& pair : diagnosis.crossings) {
+    for (Index& f : pair) f = cleaned.input_of_face[f];
+  }
   diagnosis.servable = add(std::move(findings));
   return diagnosis;
 }

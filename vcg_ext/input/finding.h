@@ -43,7 +43,7 @@ struct FindingText {
 
 // clang-format off
 /// All that can be found; a code may be harmless in one mesh and fatal in another.
-inline constexpr std::array<FindingText, 24> kFindingTexts{{
+inline constexpr std::array<FindingText, 25> kFindingTexts{{
     {"empty", Severity::kFatal, "The mesh has no vertices.", "",
      "There is nothing to work on.", "Choose a layer that has a surface."},
     {"no_faces", Severity::kFatal, "The mesh has no face with an area.", "",
@@ -124,6 +124,12 @@ inline constexpr std::array<FindingText, 24> kFindingTexts{{
      "The surface cuts through itself, so the skeleton may have loops that the shape hasn't.",
      "Find them with 'Select Self Intersecting Faces'; delete the selected faces and use "
      "'Close Holes', or rebuild the surface with 'Surface Reconstruction: Screened Poisson'."},
+    {"crossings_mended", Severity::kWarning,
+     "pair of intersecting faces was parted.", "pairs of intersecting faces were parted.",
+     "For that, vertices near them were moved on the working copy: the results are those of the "
+     "moved surface.",
+     "To mend the mesh itself, smooth it where 'Select Self Intersecting Faces' finds faces, for "
+     "example with 'Laplacian Smooth' of the selection."},
     {"too_coarse", Severity::kWarning,
      "face is large for the thickness of the shape.",
      "faces are large for the thickness of the shape.",

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the stages work on: the user's surface after the harmless repairs, outward oriented.
+// What the stages work on: the user's surface after the harmless repairs, outward oriented, and
+// with faces parted that cross near each other.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdio>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,12 +16,15 @@
 #include "vcg_ext/input/cleaning.h"
 #include "vcg_ext/input/diagnosis.h"
 #include "vcg_ext/input/edge_table.h"
+#include "vcg_ext/input/finding.h"
 #include "vcg_ext/input/shells.h"
+#include "vcg_ext/input/untangling.h"
 
 namespace mgf {
 
 /// A closed manifold surface, every shell oriented outward, and its correspondence with the input.
-/// Without need for repair `surface` is the input itself.
+/// Without need for repair `surface` is the input itself. Vertices are where the input has them,
+/// but for those that `untangling` moved.
 struct WorkingCopy {
   TriangleSurface surface;
   std::vector<Index> vertex_of_input;  ///< one per input vertex; kNone: in no face that stayed
@@ -26,8 +33,17 @@ struct WorkingCopy {
   std::vector<Index> input_of_face;    ///< one per face
   std::vector<Index> shell_of_vertex;  ///< one per vertex: its solid, 0 .. solids-1
   Index solids = 0;
-  Index genus = 0;    ///< sum over the solids
-  Warnings warnings;  ///< one per finding, harmless ones included
+  Index genus = 0;        ///< sum over the solids
+  Untangling untangling;  ///< in the numbering of `surface`
+  Warnings warnings;      ///< one per finding, harmless ones included
+
+  /// Some faces still cross.
+  bool self_intersecting() const { return !untangling.left.empty(); }
+};
+
+/// What is done to the working copy besides the harmless repairs.
+struct PreparationOptions {
+  bool mend_crossings = true;  ///< part faces that cross near each other, see `untangle`
 };
 
 namespace detail {
@@ -69,12 +85,84 @@ inline void drop_cavities(const std::vector<Shell>& shells, std::vector<Index>& 
   cleaned = std::move(kept);
 }
 
+/// The pairs of `crossings`, in the input's numbering, whose faces are both in the working copy.
+inline std::vector<std::array<Index, 2>> crossings_left(
+    const std::vector<std::array<Index, 2>>& crossings, const std::vector<Index>& face_of_input) {
+  std::vector<std::array<Index, 2>> result;
+  for (const auto& pair : crossings) {
+    const auto [f, g] = std::minmax(face_of_input[pair[0]], face_of_input[pair[1]]);
+    if (g != kNone) result.push_back({f, g});
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// True if both are the boundary of the same solids: none is flat, turned inside out or swallowed.
+inline bool same_solids(const Shells& before, const Shells& after) {
+  for (std::size_t s = 0; s < before.shells.size(); ++s) {
+    if (after.flat[s] != 0 || !(after.shells[s].signed_volume > 0.0) ||
+        after.shells[s].inside_shell != before.shells[s].inside_shell) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Parts what can be parted of the working copy's `crossings`.
+inline void mend_crossings(std::vector<std::array<Index, 2>> crossings, WorkingCopy& copy) {
+  TriangleSurface mended = copy.surface;
+  Untangling untangling = untangle(mended, crossings);
+  if (!untangling.moved.empty()) {
+    const EdgeTable edges = make_edge_table(mended.triangles);
+    if (same_solids(find_shells(copy.surface, edges, crossings),
+                    find_shells(mended, edges, untangling.left))) {
+      copy.surface = std::move(mended);
+      copy.untangling = std::move(untangling);
+      return;
+    }
+  }
+  copy.untangling.left = std::move(crossings);
+}
+
+/// "0.0123 %", of the diagonal.
+inline std::string in_per_cent(double share) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100.0 * share);
+  return text;
+}
+
+/// A warning for each finding on the input, as far as it holds for the working copy.
+inline void add_warnings(const std::vector<Finding>& findings, WorkingCopy& copy) {
+  const auto add = [&](const Finding& finding) {
+    copy.warnings.push_back({finding.code, finding.meaning + " " + finding.remedy});
+  };
+  const Untangling& untangling = copy.untangling;
+  for (const Finding& finding : findings) {
+    if (finding.code != "self_intersections") {
+      add(finding);
+      continue;
+    }
+    if (untangling.pairs_mended > 0) {
+      Finding mended =
+          make_finding("crossings_mended", Severity::kWarning, untangling.pairs_mended);
+      mended.meaning +=
+          " Vertices moved: " + std::to_string(untangling.moved.size()) + ", by up to " +
+          in_per_cent(untangling.largest_move / bounding_box_diagonal(copy.surface.points)) +
+          " of the diagonal.";
+      add(mended);
+    }
+    if (!untangling.left.empty()) {
+      add(make_finding(finding.code, Severity::kWarning, untangling.left.size()));
+    }
+  }
+}
+
 }  // namespace detail
 
-/// The working copy of `input`, whose diagnosis under the same options is `diagnosis`.
+/// The working copy of `input`, whose diagnosis is `diagnosis`.
 /// Throws InputError, with the code of the first fatal finding, if the mesh can't be served.
 inline WorkingCopy prepare(const TriangleSurface& input, const Diagnosis& diagnosis,
-                           const DiagnosisOptions& /*already in the diagnosis*/ = {}) {
+                           const PreparationOptions& options = {}) {
   require_servable(diagnosis);
   CleanedSurface cleaned = clean_surface(input);
   Shells pieces;
@@ -94,14 +182,19 @@ inline WorkingCopy prepare(const TriangleSurface& input, const Diagnosis& diagno
     if (diagnosis.shells[s].signed_volume < 0.0) std::swap(t[1], t[2]);
   }
   copy.genus = diagnosis.genus;
-  for (const Finding& finding : diagnosis.findings) {
-    copy.warnings.push_back({finding.code, finding.meaning + " " + finding.remedy});
-  }
   copy.surface = std::move(cleaned.surface);
   copy.vertex_of_input = std::move(cleaned.vertex_of_input);
   copy.face_of_input = std::move(cleaned.face_of_input);
   copy.input_of_vertex = std::move(cleaned.input_of_vertex);
   copy.input_of_face = std::move(cleaned.input_of_face);
+
+  auto crossings = detail::crossings_left(diagnosis.crossings, copy.face_of_input);
+  if (options.mend_crossings && !crossings.empty()) {
+    detail::mend_crossings(std::move(crossings), copy);
+  } else {
+    copy.untangling.left = std::move(crossings);
+  }
+  detail::add_warnings(diagnosis.findings, copy);
   return copy;
 }
 
