@@ -4,17 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "tests/fixtures.h"
 #include "tests/voxel_solids.h"
 #include "vcg_ext/core/random.h"
 #include "vcg_ext/exact/surface_tree.h"
-#include "vcg_ext/medial/isotopy_guard.h"
 #include "vcg_ext/medial/local_moves.h"
 #include "vcg_ext/medial/ray_winding.h"
 #include "vcg_ext/medial/recover_interior.h"
-#include "vcg_ext/medial/surface_flips.h"
 
 namespace mgf::test {
 namespace {
@@ -94,76 +95,118 @@ TEST(Certificate, IsIsotopicUnlessPointsWereRounded) {
   EXPECT_FALSE(interior.certificate.isotopic);
 }
 
-// Whether the edge of a ridge over the origin may be flipped in the presence of another face.
-bool may_flip_beside(const std::vector<Vec3>& others, const Triangle& face) {
-  std::vector<Vec3> points{{-1, 0, 1}, {1, 0, 1}, {0, 1, 0}, {0, -1, 0}};
-  points.insert(points.end(), others.begin(), others.end());
-  const ConstrainedSurface surface(points.size(), {{0, 1, 2}, {1, 0, 3}, face});
-  return IsotopyGuard(points, surface).allows(0, 1, 0, 1, 2, 3);
+// The interior that the tetrahedra fill, glued where they share a face.
+InteriorTetrahedra interior_of(const std::vector<Vec3>& points,
+                               const std::vector<Tetrahedron>& tetrahedra,
+                               const BettiNumbers& expected) {
+  InteriorTetrahedra interior;
+  interior.points = points;
+  interior.input_points = to_index(points.size());
+  interior.tetrahedra = tetrahedra;
+  for (Index t = 0; t < tetrahedra.size(); ++t) {
+    interior.neighbours.push_back({kNone, kNone, kNone, kNone});
+    for (unsigned i = 0; i < 4; ++i) {
+      for (Index u = 0; u < tetrahedra.size(); ++u) {
+        for (unsigned j = 0; j < 4; ++j) {
+          if (is_glued(tetrahedra[t], i, tetrahedra[u], j)) interior.neighbours[t][i] = u;
+        }
+      }
+    }
+  }
+  collect_boundary(interior);
+  interior.certificate.expected = expected;
+  certify(interior, interior.boundary, true);
+  return interior;
 }
 
-TEST(Isotopy, AllowsFlipsThroughEmptySpace) {
-  EXPECT_TRUE(may_flip_beside({{0, 0, -1}, {1, 0, -1}, {0, 1, -1}}, {4, 5, 6}));
-  EXPECT_TRUE(may_flip_beside({{0, 2, 0}}, {0, 2, 4}));             // the next face round
-  EXPECT_TRUE(may_flip_beside({{3, 0, 1}, {3, 1, 1}}, {1, 4, 5}));  // at a corner, looking away
-  EXPECT_TRUE(may_flip_beside({{0.9, 0.9, 0.9}, {1, 1, 0}, {1, 0.8, 0.5}}, {4, 5, 6}));
+const std::vector<Vec3> kCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+TEST(Certificate, ProvesATetrahedronUnlessItIsFlat) {
+  const InteriorTetrahedra whole = interior_of(kCorners, {{0, 1, 2, 3}}, {1, 0, 0});
+  EXPECT_EQ(whole.certificate.topology, TopologyVerdict::kProven);
+  std::vector<Vec3> corners = kCorners;
+  corners[3] = Vec3(0.25, 0.25, 0.0);
+  const InteriorTetrahedra flat = interior_of(corners, {{0, 1, 2, 3}}, {1, 0, 0});
+  EXPECT_EQ(flat.certificate.tetrahedra_not_positive, 1U);
+  EXPECT_EQ(flat.certificate.topology, TopologyVerdict::kCounted);
 }
 
-TEST(Isotopy, RefusesFlipsOverASpike) {
-  EXPECT_FALSE(may_flip_beside({{0, 0, 0.5}, {0.1, 0, -1}, {-0.1, 0, -1}}, {4, 5, 6}));
-  EXPECT_FALSE(may_flip_beside({{0, 0, 0}, {0.1, 0, -1}, {-0.1, 0, -1}}, {4, 5, 6}));  // touches
+TEST(Certificate, OfExactPointsKnowsBetterThanTheirDoubles) {
+  for (const Index exactly_flat : {0U, 1U}) {
+    InteriorTetrahedra interior = interior_of(kCorners, {{0, 1, 2, 3}}, {1, 0, 0});
+    interior.points[3].z() = 0.0;  // by rounding
+    interior.certificate.points_added = interior.certificate.exact_points = 1;
+    interior.certificate.tetrahedra_not_positive = exactly_flat;
+    certify(interior, interior.boundary, true);
+    EXPECT_EQ(interior.certificate.tetrahedra_flattened, 1U);
+    EXPECT_EQ(interior.certificate.tetrahedra_not_positive, exactly_flat);
+    EXPECT_EQ(interior.certificate.topology,
+              exactly_flat != 0 ? TopologyVerdict::kCounted : TopologyVerdict::kProven);
+    EXPECT_EQ(interior.certificate.isotopic, exactly_flat == 0);
+  }
 }
 
-TEST(Isotopy, RefusesFlipsThroughASheet) {
-  EXPECT_FALSE(may_flip_beside({{-5, -5, 0.5}, {5, -5, 0.5}, {0, 9, 0.5}}, {4, 5, 6}));
-  EXPECT_FALSE(may_flip_beside({{9, 1, 0.5}, {9, -1, 0.6}}, {0, 4, 5}));  // from a corner
-  EXPECT_FALSE(may_flip_beside({{0.5, 0.1, 0.7}}, {0, 2, 4}));  // next face round, but inward
+TEST(Certificate, NoticesContradictionsOfTheFlood) {
+  InteriorTetrahedra interior = proven_torus();
+  interior.certificate.winding_conflicts = 1;
+  certify(interior, interior.boundary, true);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kCounted);
 }
 
-TEST(Isotopy, RefusesFlatFlipsThatWouldFlattenAFace) {
-  const auto may_flip = [](double x_of_c, double x_of_d) {
-    const std::vector<Vec3> points{{0, 0, 0}, {2, 0, 0}, {x_of_c, 1, 0}, {x_of_d, -1, 0}};
-    const ConstrainedSurface surface(points.size(), {{0, 1, 2}, {1, 0, 3}});
-    return IsotopyGuard(points, surface).allows(0, 1, 0, 1, 2, 3);
+TEST(Certificate, NoticesABuriedVertex) {
+  std::vector<Vec3> points = kCorners;
+  points.emplace_back(0.25, 0.25, 0.25);
+  const InteriorTetrahedra interior =
+      interior_of(points, {{4, 1, 2, 3}, {0, 4, 2, 3}, {0, 1, 4, 3}, {0, 1, 2, 4}}, {1, 0, 0});
+  EXPECT_EQ(interior.certificate.interior_vertices, 1U);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kCounted);
+}
+
+TEST(Certificate, NoticesTetrahedraThatMerelyTouch) {
+  std::vector<Vec3> points = kCorners;
+  for (const Vec3& p : kCorners) points.emplace_back(-p);
+  const InteriorTetrahedra at_a_vertex =
+      interior_of(points, {{0, 1, 2, 3}, {0, 5, 7, 6}}, {2, 0, 0});
+  EXPECT_EQ(at_a_vertex.certificate.betti, (BettiNumbers{2, 0, 0}));
+  EXPECT_EQ(at_a_vertex.certificate.topology, TopologyVerdict::kCounted);
+  const InteriorTetrahedra at_an_edge =
+      interior_of(points, {{0, 1, 2, 3}, {0, 1, 6, 7}}, {2, 0, 0});
+  EXPECT_EQ(at_an_edge.certificate.tetrahedra_not_positive, 0U);
+  EXPECT_EQ(at_an_edge.certificate.topology, TopologyVerdict::kCounted);
+}
+
+TEST(Certificate, NoticesNeighboursAcrossTheWrongFace) {
+  InteriorTetrahedra interior = proven_torus();
+  const auto inner = [&](Index t) {
+    const auto& around = interior.neighbours[t];
+    return std::find(around.begin(), around.end(), kNone) == around.end();
   };
-  EXPECT_TRUE(may_flip(1, 1));
-  EXPECT_FALSE(may_flip(0, 0));
-  EXPECT_FALSE(may_flip(2, 2));
+  Index t = 0;
+  while (!inner(t)) ++t;
+  std::swap(interior.neighbours[t][0], interior.neighbours[t][1]);
+  certify(interior, interior.boundary, true);
+  EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kFailed);
 }
 
-TEST(Isotopy, FollowsTheSurfaceAsItChanges) {
-  const std::vector<Vec3> points{{-1, 0, 1}, {1, 0, 1},   {0, 1, 0},    {0, -1, 0},
-                                 {4, 0, 9},  {5, 0.5, 9}, {5, -0.5, 9}, {0, 0, 0.5}};
-  ConstrainedSurface surface(points.size(), {{0, 1, 2}, {1, 0, 3}, {4, 5, 6}, {4, 6, 5}});
-  IsotopyGuard guard(points, surface);
-  ASSERT_TRUE(guard.allows(0, 1, 0, 1, 2, 3));
-  ConstrainedSurface spiked(points.size(), {{0, 1, 2}, {1, 0, 3}, {5, 6, 7}, {4, 6, 5}});
-  surface = spiked;  // face 2 has moved where its old box didn't reach
-  ASSERT_TRUE(guard.allows(0, 1, 0, 1, 2, 3));
-  guard.flipped(2, 3);
-  EXPECT_FALSE(guard.allows(0, 1, 0, 1, 2, 3));
-}
+TEST(TriangulatedBox, HasPositiveTetrahedraThatAnswerEachOther) {
+  const BoxedSurface plain = boxed(in_spatial_order(fixtures::torus(12, 6, 1.0, 0.3)));
+  const auto is_box = [&](std::vector<std::array<Index, 4>> neighbours, std::size_t hull) {
+    return is_triangulated_box(
+        TetrahedralMesh(plain.points, plain.delaunay.corners, std::move(neighbours)), hull);
+  };
+  const std::vector<std::array<Index, 4>>& neighbours = plain.delaunay.neighbours;
+  EXPECT_TRUE(is_box(neighbours, kBoxFaces));
+  EXPECT_FALSE(is_box(neighbours, kBoxFaces - 1));
+  std::vector<std::array<Index, 4>> swapped = neighbours;
+  std::swap(swapped[0][0], swapped[0][1]);
+  EXPECT_FALSE(is_box(swapped, kBoxFaces));
 
-// A ridge whose flip makes two faces Delaunay, and a spike between the faces that it has and those
-// that it would get, or below them.
-Index flips_over_a_spike(double height) {
-  const TriangleSurface surface{{{-1, 0, 0.02},
-                                 {1, 0, 0.02},
-                                 {0, 0.1, 0},
-                                 {0, -0.1, 0},
-                                 {0.3, 0, height},
-                                 {0.35, 0.1, -1},
-                                 {0.25, -0.1, -1}},
-                                {{0, 1, 2}, {1, 0, 3}, {4, 5, 6}}};
-  const BoxedSurface plain = boxed(in_spatial_order(surface));
-  const TetrahedralMesh delaunay(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
-  ConstrainedSurface flipped(plain.points.size(), plain.faces);
-  return SurfaceFlipper(delaunay.points(), flipped).flip_towards(delaunay);
-}
-
-TEST(Isotopy, IsAskedOfEveryFlip) {
-  EXPECT_EQ(flips_over_a_spike(0.003), 1U);
-  EXPECT_EQ(flips_over_a_spike(0.013), 0U);
+  const std::array<Index, 4> alone{kNone, kNone, kNone, kNone};
+  EXPECT_TRUE(is_triangulated_box(TetrahedralMesh(kCorners, {{0, 1, 2, 3}}, {alone}), 4));
+  EXPECT_FALSE(is_triangulated_box(TetrahedralMesh(kCorners, {{1, 0, 2, 3}}, {alone}), 4));
+  std::vector<Vec3> flat = kCorners;
+  flat[3].z() = 0.0;
+  EXPECT_FALSE(is_triangulated_box(TetrahedralMesh(flat, {{0, 1, 2, 3}}, {alone}), 4));
 }
 
 TEST(Betti, AreThoseOfSolidsOfCubes) {
