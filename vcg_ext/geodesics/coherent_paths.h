@@ -42,6 +42,7 @@ class CoherentPaths {
         pairs_(pairs),
         links_(links),
         effort_(effort),
+        least_excess_(effort == ShorteningEffort::kFull ? -1.2 : 0.5),
         threads_(thread_count(threads)),
         paths_(paths),
         tangents_(pairs.size()),
@@ -263,14 +264,14 @@ class CoherentPaths {
     return trial;
   }
 
-  /// Not if the neighbour's path is too long to help, nor if it leaves the common end so much like
-  /// the pair's own path that the two are of one class.
+  /// Not if the neighbour's path is too long to help (to help much, if rough paths are wanted), nor
+  /// if it leaves the common end so much like the pair's own path that the two are of one class.
   bool is_worth_it(Index pair, const Trial& trial, const Candidate& best) const {
     const bool is_new = best.length < paths_.length[pair];
     const double value = is_new ? best.length : paths_.length[pair];
     if (!(value < kInfinity)) return true;
     const double length = paths_.length[trial.from];
-    if (length - 1.2 * trial.step >= value) return false;
+    if (length + least_excess_ * trial.step >= value) return false;
     const std::array<Vec3, 2>& tangents = is_new ? best.tangents : tangents_[pair];
     const Vec3& mine = tangents[pairs_[pair].a == trial.shared ? 0 : 1];
     const Vec3& other = tangents_[trial.from][pairs_[trial.from].a == trial.shared ? 0 : 1];
@@ -354,6 +355,7 @@ class CoherentPaths {
   const std::vector<VertexPair>& pairs_;
   const std::vector<std::array<Index, 3>>& links_;
   ShorteningEffort effort_;
+  double least_excess_;  ///< of a pair's path over a neighbour's, in steps, for a trial
   unsigned threads_;
   Rows<Index> pair_links_;  ///< one row per pair: the links that it is in
   PairPaths& paths_;
