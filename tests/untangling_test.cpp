@@ -215,6 +215,20 @@ TEST(Untangling, TheWorkingCopyStaysAsItIsOnDemand) {
   EXPECT_EQ(copy.warnings[0].code, "self_intersections");
 }
 
+TEST(Untangling, IsUndoneWhereItSwallowsASolidOrTurnsItInsideOut) {
+  const auto shells = [](const TriangleSurface& surface) {
+    return find_shells(surface, make_edge_table(surface.triangles), {});
+  };
+  const TriangleSurface small = sphere(1, 0.1);
+  const Shells apart = shells(joined(sphere(2), moved(small, Vec3(3, 0, 0))));
+  const Shells nearer = shells(joined(sphere(2), moved(small, Vec3(2, 0, 0))));
+  const Shells swallowed = shells(joined(sphere(2), small));
+  const Shells turned = shells(joined(sphere(2), moved(fixtures::reversed(small), Vec3(3, 0, 0))));
+  EXPECT_TRUE(detail::same_solids(apart, nearer));
+  EXPECT_FALSE(detail::same_solids(apart, swallowed));
+  EXPECT_FALSE(detail::same_solids(apart, turned));
+}
+
 TEST(Untangling, MakesTheTopologyProven) {
   const TriangleSurface sound = torus(60, 20, 2.0, 0.7);
   const TriangleSurface noisy = shaken(sound, 0.08, 1);

@@ -181,7 +181,8 @@ class Untangler {
       for (int ring = 0; ring < rings; ++ring) vertices = corners_of(faces_at(vertices));
       patch.add(vertices, surface_.points);
       step(vertices);
-      crossing = unsound(faces_at(patch.vertices), tangle);
+      // The corners of all faces that crossed have moved: no other face can cross now.
+      crossing = unsound(faces_at(vertices), tangle);
       if (crossing.empty()) return true;
     }
     for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
@@ -240,17 +241,17 @@ class Untangler {
     return sum / (2.0 * static_cast<double>(faces_at_[v].size()));
   }
 
-  // Of the faces, all that moved, those without area, or else those that cross others, and these.
+  // Of the faces at vertices that have just moved, those that cross others, and these; all if one
+  // has no area, which leaves open what it crosses.
   std::vector<Index> unsound(const std::vector<Index>& faces, Index tangle) {
-    std::vector<Index> result;
     for (const Index f : faces) {
       const Triangle& t = surface_.triangles[f];
       if (exact::collinear(surface_.points[t[0]], surface_.points[t[1]], surface_.points[t[2]])) {
-        result.push_back(f);
+        return faces;
       }
-      tree_.extend(f, face_box(surface_, f));
     }
-    if (!result.empty()) return result;
+    std::vector<Index> result;
+    for (const Index f : faces) tree_.extend(f, face_box(surface_, f));
     for (const Index f : faces) collect_crossings(f, tangle, result);
     return each_once(std::move(result));
   }
