@@ -7,6 +7,8 @@
 #include <CGAL/Triangulation_data_structure_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
+#include <cstddef>
+#include <string>
 #include <utility>
 
 #include "vcg_ext/core/errors.h"
@@ -88,10 +90,13 @@ TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points) {
     numbered.emplace_back(exact_detail::to_cgal(points[i]), i);
   }
   const Delaunay delaunay(numbered.begin(), numbered.end());
-  if (delaunay.number_of_vertices() != points.size()) {
-    throw InputError("duplicate_vertices",
-                     "Two vertices of the mesh lie at the same place. Merge "
-                     "duplicate vertices first.");
+  if (const std::size_t repeated = points.size() - delaunay.number_of_vertices(); repeated != 0) {
+    throw InputError(
+        "duplicate_vertices",
+        "Points of the surface at the place of another one: " + std::to_string(repeated) +
+            ". Merge them with 'Remove Duplicate Vertices'. If the mesh has none, it is so far "
+            "from the origin that no digits are left for points between its vertices: centre it "
+            "with 'Transform: Translate, Center, set Origin'.");
   }
   const std::vector<Delaunay::Cell_handle> cells = in_order_of_corners(delaunay, points.size());
   TetrahedronArrays result;
