@@ -77,7 +77,8 @@ class WorstFirstSplitter {
     const Vec3& a = refiner_.point(refiner_.start(side));
     const Vec3& b = refiner_.point(refiner_.end(side));
     const Vec3 middle = 0.5 * a + 0.5 * b;
-    if (middle == a || middle == b) return;  // as short as its coordinates' digits allow
+    const auto is_middle = [&middle](const Vec3& end) { return end == middle; };
+    if (is_middle(a) || is_middle(b)) return;  // as short as its coordinates' digits allow
     const Index m = refiner_.split_edge(side, middle);
     // The four new faces have m once each; walk round it for the sides opposite.
     changed_.clear();
