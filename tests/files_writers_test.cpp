@@ -125,6 +125,18 @@ TEST(SkeletonFile, WritesZeroForAMeasureThatIsUndefined) {
   EXPECT_EQ(VcgPlyElement(folder / "s.ply", "edge").scalars<double>("circumference")[2], 0.0);
 }
 
+TEST(SkeletonFile, WritesZeroWhereNoPathJoinsTheContacts) {
+  const TemporaryFolder folder;
+  CurveSkeleton skeleton = test::ring_with_tail();
+  skeleton.mgf[2] = skeleton.girth[2] = std::numeric_limits<double>::infinity();
+  skeleton.node_mgf[1] = std::numeric_limits<double>::infinity();
+  write_skeleton(folder / "s.ply", skeleton, build_branches(skeleton));
+  for (const char* name : {"mgf", "girth"}) {
+    EXPECT_EQ(VcgPlyElement(folder / "s.ply", "edge").scalars<double>(name)[2], 0.0) << name;
+  }
+  EXPECT_EQ(VcgPlyElement(folder / "s.ply", "vertex").scalars<double>("mgf")[1], 0.0);
+}
+
 TEST(SkeletonFile, RefusesALengthThatIsNoNumber) {
   const TemporaryFolder folder;
   CurveSkeleton skeleton = test::ring_with_tail();

@@ -182,6 +182,7 @@ TEST(BranchCurve, IsMeasuredInRadiiOfTheBallWhereTheMgfIsInfinite) {
   const BranchGraph graph = build_branches(skeleton);
   const BranchCurve curve = branch_curve(skeleton, graph.branches[0], LocalRadius::kTube);
   EXPECT_EQ(curve.unit, (std::vector<double>{0.5, 0.5, 0.5}));
+  EXPECT_EQ(curve.mgf, (std::vector<double>{0.0, 0.0, 0.0})) << "to be interpolated";
 }
 
 TEST(Smoothing, FollowsTheRawCurveWhereNothingElseIsInside) {

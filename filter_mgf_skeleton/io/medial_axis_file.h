@@ -29,7 +29,7 @@ inline void write_medial_axis(const std::filesystem::path& path, const MedialCom
                    [&](std::size_t f) { return numbers[complex.facet_contacts[f].a]; }),
       index_column("contact_b",
                    [&](std::size_t f) { return numbers[complex.facet_contacts[f].b]; }),
-      real_column("mgf", mgf),
+      path_length_column("mgf", mgf),
   };
   add_vector_columns("gradient_", gradient, facets.table.columns);
   write_ply(path, "medial axis and medial geodesic function, lengths in mesh units",

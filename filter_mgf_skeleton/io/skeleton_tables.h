@@ -74,15 +74,17 @@ inline GraphTables skeleton_tables(const CurveSkeleton& skeleton, const Skeleton
   const auto append = [](std::vector<Column> more, Table& table) {
     for (Column& column : more) table.columns.push_back(std::move(column));
   };
-  append({real_column("radius", skeleton.radius), real_column("mgf", skeleton.node_mgf),
+  append({real_column("radius", skeleton.radius), path_length_column("mgf", skeleton.node_mgf),
           measure_column("eccentricity", skeleton.node_eccentricity),
           index_column("branch", labels.node_branch), kind_column(labels.node_kind)},
          tables.nodes);
-  append({real_column("mgf", skeleton.mgf), measure_column("eccentricity", skeleton.eccentricity),
-          real_column("girth", skeleton.girth), real_column("theta_birth", skeleton.theta_birth),
-          index_column("branch", labels.edge_branch),
-          measure_column("circumference", skeleton.circumference)},
-         tables.edges);
+  append(
+      {path_length_column("mgf", skeleton.mgf),
+       measure_column("eccentricity", skeleton.eccentricity),
+       path_length_column("girth", skeleton.girth),
+       real_column("theta_birth", skeleton.theta_birth), index_column("branch", labels.edge_branch),
+       measure_column("circumference", skeleton.circumference)},
+      tables.edges);
   return tables;
 }
 

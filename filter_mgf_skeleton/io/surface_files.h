@@ -55,7 +55,7 @@ inline void write_parts(const std::filesystem::path& path, const TriangleSurface
       columns);
   columns.push_back(real_column("arc_length", faces_of.arc_length));
   columns.push_back(real_column("distance", faces_of.distance));
-  columns.push_back(real_column("girth", faces_of.girth));
+  columns.push_back(path_length_column("girth", faces_of.girth));
   write_ply(path, "parts by branch (quality), lengths in mesh units",
             {vertex_element(mesh.points), faces});
 }

@@ -59,6 +59,15 @@ inline Column measure_column(std::string name, const std::vector<double>& values
   });
 }
 
+/// A length of paths on the surface, infinite where none joins their ends, which lie on separate
+/// pieces of a surface that crosses itself: then the column holds 0.
+inline Column path_length_column(std::string name, const std::vector<double>& values) {
+  return real_column(std::move(name), [&values](std::size_t row) {
+    const double value = values.at(row);
+    return value == std::numeric_limits<double>::infinity() ? 0.0 : value;
+  });
+}
+
 /// Index columns are integers; kNone becomes `kNothing`.
 inline Column index_column(std::string name, std::function<Index(std::size_t)> value) {
   return {std::move(name), NumberType::kInteger, [value = std::move(value)](std::size_t row) {

@@ -65,6 +65,7 @@ def broken_meshes():
         ("lens", lens, r"1 closed piece encloses no volume\. .*Remove"),
         ("triangle", (vertices[:3], [(0, 1, 2)]), r"1 hole\. .*Close Holes"),
         ("nested", joined(torus(), inner), r"1 piece lies inside another one\. .*cavities"),
+        ("far", moved(torus(), 1e15, -1e15, 1e15), r"place of another one: \d+\. .*origin"),
         ("points", (vertices, []), r"no face with an area\. .*Surface Reconstruction"),
         ("nothing", ([], []), r"no vertices\. .*Choose a layer"),
     ]

@@ -27,7 +27,7 @@ enum class LocalRadius {
 struct BranchCurve {
   std::vector<Vec3> point;        ///< one per node of the branch
   std::vector<double> radius;     ///< likewise, of the ball
-  std::vector<double> mgf;        ///< likewise
+  std::vector<double> mgf;        ///< likewise; 0 where it is infinite
   std::vector<double> unit;       ///< likewise: the radius that lengths are counted in
   std::vector<double> parameter;  ///< likewise; not falling, 0 at the first node
 };
@@ -50,8 +50,9 @@ inline BranchCurve branch_curve(const CurveSkeleton& skeleton, const Branch& bra
   BranchCurve curve;
   for (const Index v : branch.nodes) {
     const double ball = skeleton.radius[v];
-    const double mgf = skeleton.node_mgf[v];  // infinite between pieces of a surface that cross
-    const double tube = std::isfinite(mgf) ? mgf / kPi : ball;
+    const bool has_path = std::isfinite(skeleton.node_mgf[v]);  // not between crossing pieces
+    const double mgf = has_path ? skeleton.node_mgf[v] : 0.0;
+    const double tube = mgf / kPi;
     curve.point.push_back(skeleton.position[v]);
     curve.radius.push_back(ball);
     curve.mgf.push_back(mgf);
