@@ -50,9 +50,9 @@ Arguments parse(int count, char** values) {
 // The mean angle between the segments of a branch of the smooth curve, degrees.
 double turning_of(const mgf::MedialAxis& axis, const mgf::CurveSkeleton& skeleton) {
   const mgf::SurfaceTree tree(axis.working.surface);
-  const bool crossing = axis.diagnosis.find("self_intersections") != nullptr;
-  const mgf::SmoothSkeleton smooth = mgf::smooth_skeleton(skeleton, mgf::build_branches(skeleton),
-                                                          mgf::shape_interior(tree, crossing));
+  const mgf::SmoothSkeleton smooth =
+      mgf::smooth_skeleton(skeleton, mgf::build_branches(skeleton),
+                           mgf::shape_interior(tree, axis.working.self_intersecting()));
   return smooth.mean_turning * 180.0 / mgf::kPi;
 }
 
