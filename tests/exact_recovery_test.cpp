@@ -165,6 +165,18 @@ TEST(ExactRecovery, ServesTheLaterStages) {
   }
 }
 
+TEST(SimplexSplit, RefusesAPointThatFlattensATetrahedron) {
+  TetrahedralMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}},
+                       {{kNone, kNone, kNone, kNone}});
+  const Index on_a_face = mesh.add_point(Vec3(0.25, 0.25, 0.0));
+  EXPECT_FALSE(split_simplex(mesh, {0}, {0, 1, 2, 3}, 4, on_a_face));
+  EXPECT_EQ(mesh.slot_count(), 1U);
+  const Index inside = mesh.add_point(Vec3(0.25, 0.25, 0.25));
+  EXPECT_TRUE(split_simplex(mesh, {0}, {0, 1, 2, 3}, 4, inside));
+  EXPECT_EQ(mesh.slot_count(), 4U);
+  EXPECT_TRUE(is_triangulated_box(mesh, 4));
+}
+
 TEST(ExactPoints, LieExactlyWhereTheyAreSaidTo) {
   const std::vector<Vec3> given{{0.1, 0.2, 0.3},  {1.7, -0.4, 2.9}, {-0.6, 1.1, 0.7},
                                 {0.9, 0.3, -1.3}, {0.2, 0.9, 3.1},  {5.3, -2.2, 0.4}};
