@@ -16,6 +16,7 @@
 #include <numeric>
 #include <vector>
 
+#include "vcg_ext/core/disjoint_sets.h"
 #include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
@@ -170,6 +171,7 @@ class CoherentPaths {
         waiting.emplace_back((mesh_.points[pairs_[i].a] - mesh_.points[pairs_[i].b]).norm(), i);
       }
     }
+    leave_out_parted(waiting);
     if (waiting.empty()) return false;
     std::sort(waiting.begin(), waiting.end());
     waiting.resize(
@@ -190,6 +192,19 @@ class CoherentPaths {
     for (const Index pair : chosen) asked_in_[pair] = kSearched;
     accept(chosen);
     return true;
+  }
+
+  /// Takes out the pairs whose ends lie on two shells: no search would find a path.
+  void leave_out_parted(std::vector<std::pair<double, Index>>& waiting) const {
+    if (waiting.empty()) return;
+    DisjointSets shells(mesh_.vertex_count());
+    for (Index h = 0; h < mesh_.halfedges.size(); ++h) shells.join(mesh_.tail(h), mesh_.head(h));
+    waiting.erase(std::remove_if(waiting.begin(), waiting.end(),
+                                 [&](const std::pair<double, Index>& candidate) {
+                                   const auto [a, b] = pairs_[candidate.second];
+                                   return shells.find(a) != shells.find(b);
+                                 }),
+                  waiting.end());
   }
 
   // ---- rounds ----
