@@ -121,7 +121,8 @@ inline constexpr std::array<FindingText, 25> kFindingTexts{{
      "'Invert Faces Orientation' turns them for good."},
     {"self_intersections", Severity::kWarning,
      "pair of faces intersects.", "pairs of faces intersect.",
-     "The surface cuts through itself, so the skeleton may have loops that the shape hasn't.",
+     "The surface cuts through itself. Faces that cross near each other are parted on the working "
+     "copy; with others left, the skeleton may have loops that the shape hasn't.",
      "Find them with 'Select Self Intersecting Faces'; delete the selected faces and use "
      "'Close Holes', or rebuild the surface with 'Surface Reconstruction: Screened Poisson'."},
     {"crossings_mended", Severity::kWarning,
