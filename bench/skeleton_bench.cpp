@@ -18,7 +18,7 @@ using mgf::Certification;
 using mgf::bench::Json;
 
 constexpr const char* kUsage =
-    "usage: skeleton_bench MESH [--certify unproven|practical|proven] [--threads N]\n";
+    "usage: skeleton_bench MESH [--certify unproven|within|proven] [--epsilon E] [--threads N]\n";
 
 struct Arguments {
   std::string mesh;
@@ -27,7 +27,7 @@ struct Arguments {
 
 Arguments parse(int count, char** values) {
   const std::map<std::string, Certification> words{{"unproven", Certification::kUnproven},
-                                                   {"practical", Certification::kPractical},
+                                                   {"within", Certification::kWithin},
                                                    {"proven", Certification::kProven}};
   Arguments arguments;
   for (int i = 1; i < count; ++i) {
@@ -35,6 +35,8 @@ Arguments parse(int count, char** values) {
     const bool has_value = i + 1 < count;
     if (word == "--certify" && has_value) {
       arguments.geodesics.wanted = words.at(values[++i]);
+    } else if (word == "--epsilon" && has_value) {
+      arguments.geodesics.epsilon = std::stod(values[++i]);
     } else if (word == "--threads" && has_value) {
       arguments.geodesics.threads = static_cast<unsigned>(std::stoul(values[++i]));
     } else if (arguments.mesh.empty() && word.rfind("--", 0) != 0) {
@@ -93,6 +95,7 @@ Json measure(const Arguments& arguments) {
       {"facets", axis.complex.facet_count()},
       {"pairs", certification.size()},
       {"proven", std::count(certification.begin(), certification.end(), Certification::kProven)},
+      {"within", std::count(certification.begin(), certification.end(), Certification::kWithin)},
       {"nodes", skeleton.node_count()},
       {"b0", betti.b0},
       {"b1", betti.b1},

@@ -197,7 +197,7 @@ TEST(GeodesicsExactness, TheTightestBoundStillFindsTheTarget) {
   WindowPropagation pruned(mesh);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     PropagationTarget target = targets[i];
-    target.bound = plain.distance(i);
+    target.known = target.limit = plain.distance(i);
     ASSERT_TRUE(pruned.run(place_of_vertex(mesh, 0), {target}));
     EXPECT_NEAR(pruned.distance(0), plain.distance(i), 1e-12 * plain.distance(i));
   }
@@ -294,6 +294,46 @@ TEST(GeodesicsExactness, TrianglesTooThinForProofAreSaidToBe) {
   EXPECT_GT(std::count(result.certification.begin(), result.certification.end(),
                        Certification::kPractical),
             0);
+}
+
+TEST(GeodesicsExactness, LengthsWithinEpsilonAreSo) {
+  const TriangleSurface rough = bumpy_sphere(4, 0.2, 8);
+  const std::vector<VertexPair> pairs = near_pairs(rough, 12.0, 2000, 7);
+  const PairGeodesics exact = compute_pair_geodesics(rough, pairs, {}, {});
+  GeodesicOptions options;
+  options.wanted = Certification::kWithin;
+  options.epsilon = 0.05;
+  const PairGeodesics close = compute_pair_geodesics(rough, pairs, {}, options);
+  Index within = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    ASSERT_EQ(exact.certification[i], Certification::kProven);
+    EXPECT_GE(close.length[i], exact.length[i] * (1.0 - 1e-10));
+    ASSERT_NE(close.certification[i], Certification::kUnproven);
+    within += close.certification[i] == Certification::kWithin ? 1 : 0;
+    const double allowed = close.certification[i] == Certification::kWithin ? 0.05 : 1e-10;
+    EXPECT_LE(close.length[i], exact.length[i] * (1.0 + allowed));
+  }
+  EXPECT_GT(within, 1000);
+}
+
+TEST(GeodesicsExactness, ASearchWithALimitFindsAllThatIsShorter) {
+  // A false limit for one target must not hide the others from the search.
+  const TriangleSurface rough = bumpy_sphere(3, 0.25, 11);
+  const HalfedgeMesh mesh = make_halfedge_mesh(rough);
+  std::vector<PropagationTarget> targets;
+  for (Index v = 1; v < mesh.vertex_count(); ++v) targets.push_back({place_of_vertex(mesh, v)});
+  WindowPropagation search(mesh);
+  ASSERT_TRUE(search.run(place_of_vertex(mesh, 0), targets));
+  std::vector<double> exact;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    exact.push_back(search.distance(i));
+    targets[i].known = exact[i];
+    targets[i].limit = i % 2 == 0 ? 0.5 * exact[i] : exact[i];
+  }
+  ASSERT_TRUE(search.run(place_of_vertex(mesh, 0), targets));
+  for (std::size_t i = 1; i < targets.size(); i += 2) {
+    EXPECT_NEAR(search.distance(i), exact[i], 1e-12 * exact[i]);
+  }
 }
 
 TEST(GeodesicsExactness, ThreadsChangeNoBit) {

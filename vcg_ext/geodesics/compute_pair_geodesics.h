@@ -83,8 +83,10 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
                         options.threads, paths);
   carrier.run(progress.slice(0.0, 0.3));
   if (is_proving) {
+    CertificateOptions certificate_options;
+    if (options.wanted == Certification::kWithin) certificate_options.epsilon = options.epsilon;
     PathCertificate certificate(question.surface(), mesh, question.pairs(), options.threads,
-                                CertificateOptions{}, paths);
+                                certificate_options, paths);
     // What a sample of the searches repairs is carried on first: paths of a wrong class come in
     // islands, and each makes its search dear.
     constexpr std::size_t kSample = 32;

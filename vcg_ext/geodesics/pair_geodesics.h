@@ -22,15 +22,17 @@ struct VertexPair {
 /// the mean edge length.
 enum class Certification : std::uint8_t {
   kUnproven,   ///< a locally shortest path, its length an upper bound
+  kWithin,     ///< the same, and no path is shorter by more than the factor 1 + epsilon
   kPractical,  ///< no shorter path was found, but the search met triangles too thin (1e-6) to be
                ///< certain of every angle
   kProven,     ///< no shorter path exists: the search that pruned by this bound was exhaustive
 };
 
-/// How much certification is wanted, and with how many threads (0: all).
+/// How much certification is wanted. A pair for which more is found out than that is told so.
 struct GeodesicOptions {
   Certification wanted = Certification::kProven;
-  unsigned threads = 0;
+  unsigned threads = 0;   ///< 0: all; the answer is the same for any number
+  double epsilon = 0.01;  ///< of `kWithin`, > 0
 };
 
 /// The answer, one entry per pair.

@@ -27,6 +27,8 @@ namespace mgf {
 struct CertificateOptions {
   PropagationPruning pruning;
   bool skip_flat_vertices = true;  ///< search on a triangulation without them
+  double epsilon = 0.0;            ///< if more than 0, only paths shorter than those known by more
+                                   ///< than the factor 1 + epsilon are searched for
 };
 
 namespace detail {
@@ -73,11 +75,12 @@ inline SearchSurface make_search_surface(const TriangleSurface& fine, const Half
 class Certifier {
  public:
   Certifier(const HalfedgeMesh& mesh, const SearchSurface& search,
-            const PropagationPruning& pruning)
+            const CertificateOptions& options)
       : mesh_(mesh),
         search_(search),
-        proving_(search.mesh, pruning),
-        searching_(mesh, pruning),
+        allowance_(1.0 + options.epsilon),
+        proving_(search.mesh, options.pruning),
+        searching_(mesh, options.pruning),
         shortener_(mesh),
         allowed_(mesh.triangle_count(), 0) {}
 
@@ -87,7 +90,8 @@ class Certifier {
     const auto end_of = [&](Index id) { return pairs[id].a == start ? pairs[id].b : pairs[id].a; };
     proving_targets_.clear();
     for (const Index id : served) {
-      proving_targets_.push_back({search_.places[end_of(id)], paths.length[id]});
+      const double known = paths.length[id];
+      proving_targets_.push_back({search_.places[end_of(id)], known, known / allowance_});
     }
     proving_start_ = search_.places[start];
     const bool is_complete = proving_.run(proving_start_, proving_targets_);
@@ -100,13 +104,19 @@ class Certifier {
   std::vector<Index>& improved() { return improved_; }
 
  private:
-  /// What the last search is worth.
+  /// What the last search, if complete, says of a path as long as what it found.
   Certification verdict() const {
     return proving_.met_thin_triangle() ? Certification::kPractical : Certification::kProven;
   }
+  /// What it says if nothing is as short as the limit. Rounding at thin triangles may exceed
+  /// epsilon.
+  Certification verdict_beyond_limit() const {
+    const bool has_said = allowance_ > 1.0 && !proving_.met_thin_triangle();
+    return has_said ? Certification::kWithin : Certification::kUnproven;
+  }
 
+  static constexpr double kRounding = 1e-10;  // of long unfoldings; 1e-13 unless triangles are thin
   static bool agree(double found, double length) {
-    constexpr double kRounding = 1e-10;  // of long unfoldings; 1e-13 unless triangles are thin
     return std::abs(found - length) <= kRounding * length;
   }
 
@@ -116,8 +126,10 @@ class Certifier {
               PairPaths& paths) {
     const double found = proving_.distance(slot);
     const double known = paths.length[id];
+    const bool is_shortest =
+        is_complete && found <= proving_targets_[slot].limit * (1.0 + kRounding);
     constexpr double kSame = 1e-13;  // relative; shortening gains no more
-    if (is_complete && std::abs(found - known) <= kSame * known) {
+    if (is_shortest && std::abs(found - known) <= kSame * known) {
       paths.certification[id] = verdict();
       return;
     }
@@ -133,7 +145,8 @@ class Certifier {
       }
     }
     paths.length[id] = length;
-    if (is_complete && agree(found, length)) paths.certification[id] = verdict();
+    if (is_shortest && agree(found, length)) paths.certification[id] = verdict();
+    if (is_complete && !is_shortest) paths.certification[id] = verdict_beyond_limit();
     if (length < known - 0.5 * mesh_.mean_edge) improved_.push_back(id);
   }
 
@@ -199,6 +212,7 @@ class Certifier {
 
   const HalfedgeMesh& mesh_;
   const SearchSurface& search_;
+  double allowance_;             ///< 1 + epsilon
   WindowPropagation proving_;    ///< on the search surface
   WindowPropagation searching_;  ///< on the surface itself
   PathShortener shortener_;
@@ -252,20 +266,20 @@ class PathCertificate {
     // Reported by the caller's own thread, the first of the workers.
     const std::size_t step = chosen.size() / 64 + 1;
     std::size_t next_report = 0;
-    parallel_for(
-        chosen.size(), to_index(certifiers_.size()), 4, [&](std::size_t i, unsigned worker) {
-          if (worker == 0 && i >= next_report) {
-            progress.report(static_cast<double>(i) / static_cast<double>(chosen.size()),
-                            "Proving geodesics");
-            next_report = i + step;
-          }
-          auto& certifier = certifiers_[worker];
-          if (!certifier) {
-            certifier = std::make_unique<detail::Certifier>(mesh_, search_, options_.pruning);
-          }
-          const std::size_t search = chosen[i];
-          certifier->certify(plan_.starts[search], plan_.pairs[search], pairs_, paths_);
-        });
+    parallel_for(chosen.size(), to_index(certifiers_.size()), 4,
+                 [&](std::size_t i, unsigned worker) {
+                   if (worker == 0 && i >= next_report) {
+                     progress.report(static_cast<double>(i) / static_cast<double>(chosen.size()),
+                                     "Proving geodesics");
+                     next_report = i + step;
+                   }
+                   auto& certifier = certifiers_[worker];
+                   if (!certifier) {
+                     certifier = std::make_unique<detail::Certifier>(mesh_, search_, options_);
+                   }
+                   const std::size_t search = chosen[i];
+                   certifier->certify(plan_.starts[search], plan_.pairs[search], pairs_, paths_);
+                 });
     return take_improved();
   }
 

@@ -13,10 +13,11 @@
 
 namespace mgf {
 
-/// A point whose distance is asked, and the length of some path to it (infinity if none is known).
+/// A point whose distance is asked.
 struct PropagationTarget {
   SurfacePlace place;
-  double bound = std::numeric_limits<double>::infinity();
+  double known = std::numeric_limits<double>::infinity();  ///< length of some path to it
+  double limit = known;  ///< only paths that are no longer than this are searched for
 };
 
 /// The targets of one search after the other on one mesh.
@@ -48,7 +49,7 @@ class SearchTargets {
     for (const PropagationTarget& asked : targets) {
       Target target;
       target.place = asked.place;
-      target.bound = asked.bound;
+      target.bound = asked.limit;
       Index& slot = slot_of(asked.place);
       target.next = slot;
       slot = to_index(targets_.size());

@@ -44,8 +44,9 @@ class WindowPropagation {
         queue_(0.5 * mesh.mean_edge),
         states_(mesh.vertex_count()) {}
 
-  /// Searches from `start` until every target's distance is certain. Returns false if the search
-  /// was given up for its size; lengths found are then only upper bounds.
+  /// Searches from `start` until every target's distance is certain, or certain to be beyond its
+  /// limit. Returns false if the search was given up for its size; lengths found are then only
+  /// upper bounds.
   bool run(const SurfacePlace& start, const std::vector<PropagationTarget>& targets) {
     begin(targets);
     if (start.vertex != kNone) {
@@ -63,7 +64,8 @@ class WindowPropagation {
   /// then is the shortest path among those in the triangles allowed.
   void keep_to(const std::vector<char>* allowed) { allowed_ = allowed; }
 
-  /// Length of the path found to target i of the last run; infinity if there is none.
+  /// Length of the path found to target i of the last run; infinity if there is none. No path is
+  /// shorter than that and the target's limit.
   double distance(std::size_t i) const { return targets_[i].distance; }
 
   /// The path to target i of the last run as straight pieces in order. Requires a finite distance.
@@ -127,7 +129,7 @@ class WindowPropagation {
     roots_.clear();
     targets_.assign(targets);
     for (const PropagationTarget& target : targets) {
-      if (target.place.vertex != kNone) lower_bound_at(target.place.vertex, target.bound);
+      if (target.place.vertex != kNone) lower_bound_at(target.place.vertex, target.known);
     }
     met_thin_triangle_ = false;
   }
