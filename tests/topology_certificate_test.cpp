@@ -65,9 +65,11 @@ TEST(Certificate, NoticesFacesThatAreNotOfTheSurface) {
 TEST(Certificate, NoticesMissingFaces) {
   InteriorTetrahedra interior = proven_torus();
   std::vector<Triangle> wanted = interior.boundary;
-  std::swap(wanted.front()[0], wanted.front()[1]);  // the other side of that face
+  const auto [a, b, c] = wanted.front();
+  wanted.push_back({b, a, c});  // the other side of that face
   certify(interior, wanted, true);
   EXPECT_EQ(interior.certificate.boundary_faces_missing, 1U);
+  EXPECT_EQ(interior.certificate.boundary_faces_extra, 0U);
   EXPECT_EQ(interior.certificate.topology, TopologyVerdict::kCounted);
 }
 
