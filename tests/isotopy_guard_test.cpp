@@ -83,5 +83,40 @@ TEST(Isotopy, IsAskedOfEveryFlip) {
   EXPECT_EQ(flips_over_a_spike(0.013), 0U);
 }
 
+// A larger ridge, and in one quarter of it (signs `x`, `y`) a small valley that crosses neither its
+// roof nor the faces that it would get, but would cross either if it became a ridge; below each a
+// spike that is in nobody's way.
+Index flips_of_ridge_and_valley(double x, double y, bool has_ridge) {
+  TriangleSurface surface{{{-1, 0, 0.04},
+                           {1, 0, 0.04},
+                           {0, 0.4, 0},
+                           {0, -0.4, 0},
+                           {-0.6 * x, 0, 0.0238},
+                           {-0.6 * x + 0.05, 0.1, -1},
+                           {-0.6 * x - 0.05, -0.1, -1},
+                           {0.6 * x - 0.07, 0.13 * y, 0.012},
+                           {0.6 * x + 0.07, 0.13 * y, 0.012},
+                           {0.6 * x, 0.13 * y + 0.11, y > 0 ? 0.032 : 0.022},
+                           {0.6 * x, 0.13 * y - 0.11, y > 0 ? 0.022 : 0.032},
+                           {0.6 * x, 0.13 * y, 0.011},
+                           {0.6 * x + 0.05, 0.13 * y + 0.1, -1},
+                           {0.6 * x - 0.05, 0.13 * y - 0.1, -1}},
+                          {{4, 5, 6}, {7, 8, 9}, {8, 7, 10}, {11, 12, 13}}};
+  if (has_ridge) surface.triangles.insert(surface.triangles.end(), {{0, 1, 2}, {1, 0, 3}});
+  const BoxedSurface plain = boxed(in_spatial_order(surface));
+  const TetrahedralMesh delaunay(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
+  ConstrainedSurface flipped(plain.points.size(), plain.faces);
+  return SurfaceFlipper(delaunay.points(), flipped).flip_towards(delaunay);
+}
+
+TEST(Isotopy, IsAskedAboutTheSurfaceAsFlipped) {
+  for (const double x : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 1.0}) {
+      EXPECT_EQ(flips_of_ridge_and_valley(x, y, false), 1U);
+      EXPECT_EQ(flips_of_ridge_and_valley(x, y, true), 1U);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mgf::test
