@@ -2,6 +2,7 @@
 // Counts what the skeletons of meshes, and of their noisy copies, have: a Markdown row a mesh.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <random>
 #include <sstream>
 #include <stdexcept>

@@ -28,7 +28,8 @@ enum class Certification : std::uint8_t {
   kProven,     ///< no shorter path exists: the search that pruned by this bound was exhaustive
 };
 
-/// How much certification is wanted. A pair for which more is found out than that is told so.
+/// How much certification is wanted. A pair of which a search happens to prove more has the
+/// stronger word.
 struct GeodesicOptions {
   Certification wanted = Certification::kProven;
   unsigned threads = 0;   ///< 0: all; the answer is the same for any number

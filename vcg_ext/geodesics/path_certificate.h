@@ -126,6 +126,7 @@ class Certifier {
               PairPaths& paths) {
     const double found = proving_.distance(slot);
     const double known = paths.length[id];
+    // Beyond the limit the search has left out paths: what it found there proves nothing.
     const bool is_shortest =
         is_complete && found <= proving_targets_[slot].limit * (1.0 + kRounding);
     constexpr double kSame = 1e-13;  // relative; shortening gains no more

@@ -65,7 +65,7 @@ class WindowPropagation {
   void keep_to(const std::vector<char>* allowed) { allowed_ = allowed; }
 
   /// Length of the path found to target i of the last run; infinity if there is none. No path is
-  /// shorter than that and the target's limit.
+  /// shorter than the lesser of that and the target's limit.
   double distance(std::size_t i) const { return targets_[i].distance; }
 
   /// The path to target i of the last run as straight pieces in order. Requires a finite distance.

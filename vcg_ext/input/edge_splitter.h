@@ -77,6 +77,7 @@ class WorstFirstSplitter {
     const Vec3& a = refiner_.point(refiner_.start(side));
     const Vec3& b = refiner_.point(refiner_.end(side));
     const Vec3 middle = 0.5 * a + 0.5 * b;
+    // Not as two comparisons in a row: clang-tidy takes them for the same one twice.
     const auto is_middle = [&middle](const Vec3& end) { return end == middle; };
     if (is_middle(a) || is_middle(b)) return;  // as short as its coordinates' digits allow
     const Index m = refiner_.split_edge(side, middle);
