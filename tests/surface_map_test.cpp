@@ -104,6 +104,33 @@ TEST(SurfaceMap, VerticesBelongToABranchOfTheirFaces) {
   }
 }
 
+TEST(SurfaceMap, PlacesAPartThatIsMadeOfOthersCircles) {
+  CircledTee tee(4, 4);
+  CurveSkeleton& skeleton = tee.shape.skeleton;
+  const BranchGraph graph = build_branches(skeleton);
+  ASSERT_EQ(graph.branches.size(), 3U);
+  // A trunk so wide that it takes the ends of the others, and whose own circles are all missing.
+  const Branch& trunk = graph.branches[0];
+  for (const Index e : trunk.edges) skeleton.mgf[e] *= 2;
+  for (const Index v : trunk.nodes) skeleton.node_mgf[v] *= 2;
+  std::vector<std::vector<Index>> circles(skeleton.edge_count());
+  for (Index e = 0; e < circles.size(); ++e) {
+    const Row<Index> row = tee.shape.circles.faces[e];
+    if (graph.edge_branch[e] != 0) circles[e].assign(row.begin(), row.end());
+  }
+  test::set_circles(circles, tee.shape);
+
+  const SurfaceMap map = map_of(tee.shape);
+  Index of_trunk = 0;
+  for (Index f = 0; f < map.faces.branch.size(); ++f) {
+    ASSERT_NE(map.faces.edge[f], kNone);
+    EXPECT_EQ(map.faces.branch[f], graph.edge_branch[map.faces.edge[f]]);
+    if (map.faces.branch[f] == 0) ++of_trunk;
+  }
+  EXPECT_GT(of_trunk, 0U);
+  for (const Index edge : map.vertices.edge) EXPECT_NE(edge, kNone);
+}
+
 TEST(SurfaceMap, OfASkeletonWithoutEdgesIsEmptyHanded) {
   CircledShape shape = circled_tube(1.0, 0.5, 2, 8);
   shape.skeleton = test::single_node_skeleton();

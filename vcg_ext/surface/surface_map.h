@@ -20,7 +20,7 @@ namespace mgf {
 
 /// Correspondence of surface elements to the skeleton.
 struct SkeletonCorrespondence {
-  std::vector<Index> branch;       ///< id in the BranchGraph; kNone where the skeleton has no edge
+  std::vector<Index> branch;       ///< id in the BranchGraph; kNone on a shell without circles
   std::vector<Index> edge;         ///< skeleton edge that the element belongs to, or kNone
   std::vector<double> arc_length;  ///< position along the branch from its first node, mesh units
   std::vector<double> distance;    ///< straight distance to that skeleton edge
@@ -70,8 +70,17 @@ inline Foot foot_on(const PlacedEdge& edge, const Vec3& p) {
   return {edge.start + t * along.norm(), (p - edge.from - t * along).norm()};
 }
 
+/// The edge of a branch that is nearest to `p`.
+inline Index nearest_edge(const Branch& branch, const std::vector<PlacedEdge>& placed,
+                          const Vec3& p) {
+  return *std::min_element(branch.edges.begin(), branch.edges.end(), [&](Index e, Index g) {
+    return foot_on(placed[e], p).distance < foot_on(placed[g], p).distance;
+  });
+}
+
 /// The skeleton edge of each face: of the circles through it on its own branch the one whose edge
-/// is nearest; elsewhere that of the nearest such face of the same part.
+/// is nearest; elsewhere that of the nearest such face of the same part. A part may have no such
+/// face, if its branch got it from others at a junction: there the branch's nearest edge counts.
 inline std::vector<Index> edges_of_faces(const FaceGraph& faces, const Rows<Index>& circles_on_face,
                                          const BranchGraph& graph,
                                          const std::vector<PlacedEdge>& placed,
@@ -88,7 +97,13 @@ inline std::vector<Index> edges_of_faces(const FaceGraph& faces, const Rows<Inde
       }
     }
   }
-  return flood_faces(faces, seeds, [&](Index f, Index g) { return part[f] == part[g]; }).label;
+  std::vector<Index> edges =
+      flood_faces(faces, seeds, [&](Index f, Index g) { return part[f] == part[g]; }).label;
+  for (Index f = 0; f < edges.size(); ++f) {
+    if (edges[f] != kNone || part[f] == kNone) continue;
+    edges[f] = nearest_edge(graph.branches[part[f]], placed, faces.centroid[f]);
+  }
+  return edges;
 }
 
 /// The correspondence of points whose skeleton edges are known.
