@@ -296,6 +296,63 @@ TEST(GeodesicsExactness, TrianglesTooThinForProofAreSaidToBe) {
             0);
 }
 
+// Splits every so-maniest edge at a point that is that of one of its ends.
+TriangleSurface with_doubled_vertices(TriangleSurface surface, Index every) {
+  const HalfedgeMesh mesh = make_halfedge_mesh(surface);
+  for (Index h = 0; h < mesh.halfedges.size(); h += every) {
+    const Triangle& left = surface.triangles[triangle_of(h)];
+    const Triangle& right = surface.triangles[triangle_of(mesh.opposite(h))];
+    const Index a = mesh.tail(h), b = mesh.head(h);
+    const Index c = mesh.apex(h), d = mesh.apex(mesh.opposite(h));
+    if (left != Triangle{a, b, c} && left != Triangle{b, c, a} && left != Triangle{c, a, b})
+      continue;  // split already, as is the next
+    if (right != Triangle{b, a, d} && right != Triangle{a, d, b} && right != Triangle{d, b, a})
+      continue;
+    const Index twin = to_index(surface.points.size());
+    surface.points.push_back(Vec3(surface.points[a]));
+    surface.triangles[triangle_of(h)] = {a, twin, c};
+    surface.triangles[triangle_of(mesh.opposite(h))] = {d, twin, a};
+    surface.triangles.push_back({twin, b, c});
+    surface.triangles.push_back({d, b, twin});
+  }
+  return surface;
+}
+
+TEST(GeodesicsExactness, VerticesOfOnePlaceChangeNoLength) {
+  // As points on a surface that crosses itself come out, once rounded.
+  const TriangleSurface rough = bumpy_sphere(3, 0.1, 5);
+  const TriangleSurface doubled = with_doubled_vertices(rough, 7);
+  ASSERT_GT(doubled.points.size(), rough.points.size() + 60);
+  std::vector<VertexPair> pairs;
+  std::vector<VertexPair> same;  // on the surface as it was
+  std::vector<VertexPair> asked = random_pairs(doubled, 1000, 3);
+  for (Index twin = to_index(rough.points.size()); twin < doubled.points.size(); ++twin) {
+    const Index original = vertex_at(rough, doubled.points[twin]);
+    for (const Index other : {5U, 50U, 100U}) {  // both are searched for at a time
+      if (other == original) continue;
+      asked.push_back({std::min(other, original), std::max(other, original)});
+      asked.push_back({other, twin});
+    }
+  }
+  for (const VertexPair& pair : asked) {
+    const Index a = vertex_at(rough, doubled.points[pair.a]);
+    const Index b = vertex_at(rough, doubled.points[pair.b]);
+    if (a == b) continue;
+    pairs.push_back(pair);
+    same.push_back({std::min(a, b), std::max(a, b)});
+  }
+  const PairGeodesics result = solve(doubled, pairs);
+  const PairGeodesics paths =
+      compute_pair_geodesics(doubled, pairs, {}, {Certification::kUnproven});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    // One by one, as a pair of places may come twice.
+    const PairGeodesics expected = solve(rough, {same[i]});
+    EXPECT_NEAR(result.length[i], expected.length[0], 1e-9);
+    EXPECT_GE(result.certification[i], Certification::kPractical);
+    EXPECT_GE(paths.length[i], expected.length[0] - 1e-9);
+  }
+}
+
 TEST(GeodesicsExactness, LengthsWithinEpsilonAreSo) {
   const TriangleSurface rough = bumpy_sphere(4, 0.2, 8);
   const std::vector<VertexPair> pairs = near_pairs(rough, 12.0, 2000, 7);

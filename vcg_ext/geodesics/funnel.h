@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -149,7 +150,11 @@ class Funnel {
     const Halfedge& side = mesh_->halfedges[corridor[k]];
     const Vec2 origin = left_of(k);
     const Vec2 span = right_of(k) - origin;
-    const double scale = 1.0 / side.length;
+    // A very short span is not as long as it should be; what follows must not take over its scale.
+    constexpr double kRounding = 1e-9;
+    const double squared = dot(span, span);
+    const bool is_short = std::abs(squared - side.length * side.length) > kRounding * squared;
+    const double scale = 1.0 / (is_short ? std::sqrt(squared) : side.length);
     const double x = side.apex.x * scale;
     const double y = side.apex.y * scale;
     return {origin.x + x * span.x - y * span.y, origin.y + x * span.y + y * span.x};

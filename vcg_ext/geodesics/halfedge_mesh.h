@@ -89,6 +89,9 @@ struct HalfedgeMesh {
   static constexpr double kFlatAngle = 1e-11;
   /// Height over longest side below which the rounding of angles may show in lengths.
   static constexpr double kThin = 1e-6;
+  /// Points nearer than this, in mean edges, are one. Edges count as that long at least: less than
+  /// what searches take for the same length (1e-10).
+  static constexpr double kHair = 1e-11;
 };
 
 namespace detail {
@@ -131,29 +134,64 @@ inline void match_opposites(HalfedgeMesh& mesh) {
   }
 }
 
-/// Lays each triangle flat above each of its sides. A triangle without height gets a hair of it, so
-/// that directions are defined; lengths change by less than their rounding.
+/// The height of a triangle above its side `base`, by Kahan's stable form of Heron's formula.
+inline double height_by_lengths(double base, double left, double right) {
+  std::array<double, 3> s{base, left, right};
+  std::sort(s.begin(), s.end());
+  const double excess = s[0] - (s[2] - s[1]);  // of the two shorter sides over the longest
+  if (!(excess > 0.0)) return 0.0;
+  const double product =
+      (s[2] + (s[1] + s[0])) * excess * (s[0] + (s[2] - s[1])) * (s[2] + (s[1] - s[0]));
+  return 0.5 * std::sqrt(product) / base;
+}
+
+/// Lays triangle t flat above each of its sides, of the given lengths.
+inline void lay_flat_by_lengths(Index t, const std::array<double, 3>& length, double least_height,
+                                HalfedgeMesh& mesh) {
+  for (Index i = 0; i < 3; ++i) {
+    const double base = length[i];
+    const double right = length[(i + 1) % 3];
+    const double left = length[(i + 2) % 3];
+    // From the nearer end, as the other form would lose a short side.
+    const double x = left <= right
+                         ? 0.5 * ((base - right) * (base + right) + left * left) / base
+                         : base - 0.5 * ((base - left) * (base + left) + right * right) / base;
+    const double y = height_by_lengths(base, left, right);
+    mesh.halfedges[3 * t + i].apex = {x, std::max(y, least_height)};
+  }
+}
+
+/// Lays each triangle flat above each of its sides. A side without length and a triangle without
+/// height get a hair of it, so that directions are defined.
 inline void lay_flat(HalfedgeMesh& mesh) {
-  constexpr double kLeastHeight = 1e-13;
+  constexpr double kLeastHeight = 1e-13;  // of the longest side
   double sum = 0.0;
   for (Index h = 0; h < mesh.halfedges.size(); ++h) {
-    const Vec3 edge = mesh.points[mesh.head(h)] - mesh.points[mesh.tail(h)];
-    mesh.halfedges[h].length = edge.norm();
-    sum += edge.norm();
+    mesh.halfedges[h].length = (mesh.points[mesh.head(h)] - mesh.points[mesh.tail(h)]).norm();
+    sum += mesh.halfedges[h].length;
   }
   if (!mesh.halfedges.empty()) mesh.mean_edge = sum / static_cast<double>(mesh.halfedges.size());
+  const double least_length = HalfedgeMesh::kHair * mesh.mean_edge;
+  for (Halfedge& side : mesh.halfedges) side.length = std::max(side.length, least_length);
   mesh.is_thin.assign(mesh.triangle_count(), 0);
-  for (Index h = 0; h < mesh.halfedges.size(); ++h) {
-    Halfedge& side = mesh.halfedges[h];
-    const Vec3& origin = mesh.points[side.tail];
-    const Vec3 edge = mesh.points[mesh.head(h)] - origin;
-    const Vec3 arm = mesh.points[mesh.apex(h)] - origin;
-    const double longest = std::max({edge.norm(), arm.norm(), (arm - edge).norm()});
-    if (!(side.length > 0.0)) side.length = kLeastHeight * std::max(longest, mesh.mean_edge);
-    side.apex.x = edge.dot(arm) / side.length;
-    side.apex.y = std::max(edge.cross(arm).norm() / side.length, kLeastHeight * longest);
-    if (std::min(side.apex.y, side.length) < HalfedgeMesh::kThin * longest) {
-      mesh.is_thin[triangle_of(h)] = 1;
+  for (Index t = 0; t < mesh.triangle_count(); ++t) {
+    const std::array<double, 3> length{mesh.halfedges[3 * t].length,
+                                       mesh.halfedges[3 * t + 1].length,
+                                       mesh.halfedges[3 * t + 2].length};
+    const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
+    const double least_height = kLeastHeight * *longest;
+    const bool has_hair = *shortest <= least_length;
+    if (has_hair) lay_flat_by_lengths(t, length, least_height, mesh);
+    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+      Halfedge& side = mesh.halfedges[h];
+      if (!has_hair) {
+        const Vec3 edge = mesh.points[mesh.head(h)] - mesh.points[side.tail];
+        const Vec3 arm = mesh.points[mesh.apex(h)] - mesh.points[side.tail];
+        side.apex.x = edge.dot(arm) / side.length;
+        side.apex.y = std::max(edge.cross(arm).norm() / side.length, least_height);
+      }
+      const bool is_thin = std::min(side.apex.y, side.length) < HalfedgeMesh::kThin * *longest;
+      if (is_thin) mesh.is_thin[t] = 1;
     }
   }
 }

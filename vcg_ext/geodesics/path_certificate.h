@@ -246,7 +246,7 @@ class PathCertificate {
     for (Index i = 0; i < pairs.size(); ++i) {
       if (!paths.has(i)) continue;
       const double straight = (mesh.points[pairs[i].a] - mesh.points[pairs[i].b]).norm();
-      if (paths.length[i] <= straight * (1.0 + 1e-12)) {
+      if (std::abs(paths.length[i] - straight) <= 1e-12 * straight) {
         paths.certification[i] = Certification::kProven;
       } else {
         weight[i] = paths.length[i] * paths.length[i];

@@ -32,7 +32,7 @@ class SearchTargets {
     double bound = 0.0;  ///< paths longer than this don't matter
     double distance = std::numeric_limits<double>::infinity();  ///< of the best arrival
     Index window = kNone, root = kNone;                         ///< that it came from
-    Index next = kNone;  ///< the next target in the same triangle
+    Index next = kNone;  ///< the next target at the same vertex or in the same triangle
   };
 
   /// Lengths that differ by less than `tolerance` are the same.
@@ -59,9 +59,9 @@ class SearchTargets {
   }
 
   const Target& operator[](std::size_t i) const { return targets_[i]; }
-  /// The target at vertex v, or kNone.
-  Index at_vertex(Index v) const { return at_vertex_[v]; }
-  /// The first target in triangle t, or kNone; the others follow by `next`.
+  /// The first target at vertex v, or kNone; the others follow by `next`.
+  Index first_at_vertex(Index v) const { return at_vertex_[v]; }
+  /// The same in triangle t.
   Index first_in_triangle(Index t) const { return in_triangle_[t]; }
   /// No path longer than this matters.
   double reach() const { return reach_ + tolerance_; }
@@ -130,7 +130,7 @@ class SearchTargets {
   const HalfedgeMesh& mesh_;
   double tolerance_;
   std::vector<Target> targets_;
-  std::vector<Index> at_vertex_;    ///< one per vertex: which target it is, or kNone
+  std::vector<Index> at_vertex_;    ///< one per vertex: the first target at it, or kNone
   std::vector<Index> in_triangle_;  ///< one per triangle: the first target in it, or kNone
   double reach_ = 0.0;
 };

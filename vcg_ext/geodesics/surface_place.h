@@ -22,9 +22,15 @@ inline SurfacePlace place_of_vertex(const HalfedgeMesh& mesh, Index v) {
   return {v, kNone, {}, mesh.points[v]};
 }
 
-/// The point at `position`, which lies in triangle t.
+/// The point at `position`, which lies in triangle t, or the corner that it is.
 inline SurfacePlace place_in_triangle(const HalfedgeMesh& mesh, Index t, const Vec3& position) {
   const Index first = 3 * t;
+  for (Index h = first; h < first + 3; ++h) {
+    const double distance = (mesh.points[mesh.tail(h)] - position).norm();
+    if (distance <= HalfedgeMesh::kHair * mesh.mean_edge) {
+      return place_of_vertex(mesh, mesh.tail(h));
+    }
+  }
   const Vec3& tail = mesh.points[mesh.tail(first)];
   const Vec3 along = (mesh.points[mesh.head(first)] - tail) / mesh.halfedges[first].length;
   const Vec3 arm = mesh.points[mesh.apex(first)] - tail;

@@ -176,8 +176,8 @@ class WindowPropagation {
   template <class Direction>
   void arrive(Index v, double distance, Index window, Index root, const Direction& arrival) {
     lower_bound_at(v, distance);
-    if (targets_.at_vertex(v) != kNone) {
-      targets_.arrive(targets_.at_vertex(v), distance, window, root);
+    for (Index i = targets_.first_at_vertex(v); i != kNone; i = targets_[i].next) {
+      targets_.arrive(i, distance, window, root);
     }
     if (distance > padded(states_[v].bound) || !mesh_.is_saddle(v)) return;
     const double direction = arrival();
