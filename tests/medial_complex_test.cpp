@@ -127,6 +127,17 @@ TEST(Placement, LeavesACircumcentreThatLiesInANeighbour) {
   EXPECT_EQ(complex.position[0], before);
 }
 
+TEST(Placement, TakesACircumcentreOffTheSurface) {
+  // A face through the centre of the ball: the circumcentre is right on it.
+  const InteriorTetrahedra interior =
+      from_tetrahedra({{5, 0, 0}, {-3, 4, 0}, {-3, -4, 0}, {0, 0, 5}}, {{0, 1, 2, 3}});
+  MedialComplex complex = build_medial_complex(interior);
+  ASSERT_NEAR(complex.position[0].norm(), 0.0, 1e-12);
+  place_voronoi_vertices(interior, complex);
+  EXPECT_EQ(complex.displaced[0], 1);
+  EXPECT_GT(complex.position[0].z(), 0.1);
+}
+
 TEST(Placement, PutsALoneFlatTetrahedronsVertexAtItsCentroid) {
   const InteriorTetrahedra interior =
       from_tetrahedra({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2, 3}});

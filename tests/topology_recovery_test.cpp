@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -184,6 +185,25 @@ TEST(BoundaryRecovery, EdgesWithoutRoomForAPointWaitUntilOthersMadeSome) {
     EXPECT_TRUE(recovered.complete);
     EXPECT_GT(recovered.points_added, 0U);
   }
+}
+
+TEST(BoundaryRecovery, AddsPointsOnceItsAttemptsAreSpent) {
+  const TriangleSurface surface =
+      squeezed(fixtures::rotated(fixtures::torus(24, 10, 1.0, 0.3), 0.7, Vec3(1, 2, 3)));
+  const BoxedSurface plain = boxed(in_spatial_order(surface));
+  const auto points_added = [&](int attempts_in_all) {
+    TetrahedralMesh mesh(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
+    ConstrainedSurface constrained(plain.points.size(), plain.faces);
+    RecoveryLimits limits;
+    limits.added_points = 1000;
+    limits.attempts_in_all = attempts_in_all;
+    BoundaryRecovery recovery(mesh, constrained, limits);
+    EXPECT_TRUE(recovery.run({}));
+    return recovery.points_added();
+  };
+  const Index unbounded = points_added(std::numeric_limits<int>::max());
+  EXPECT_EQ(points_added(100'000), unbounded);
+  EXPECT_GT(points_added(100), unbounded);
 }
 
 TEST(Recovery, IsTheSameInEveryRun) {

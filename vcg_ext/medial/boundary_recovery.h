@@ -22,6 +22,7 @@ namespace mgf {
 struct RecoveryLimits {
   std::size_t added_points = 0;  ///< give up beyond
   int recursive_attempts = 400;  ///< per missing edge or face
+  int attempts_in_all = 0;       ///< recursive ones; once they are spent, points are added instead
   std::uint64_t seed = 1;
 };
 
@@ -33,7 +34,7 @@ class BoundaryRecovery {
       : mesh_(mesh),
         surface_(surface),
         limits_(limits),
-        clearing_(mesh, surface, limits.seed),
+        clearing_(mesh, surface, limits.seed, limits.attempts_in_all),
         splitter_(mesh, surface) {}
 
   /// True if every face of the surface is now a face of the mesh. The mesh is valid either way.

@@ -28,8 +28,14 @@ struct ClearingEffort {
 /// Makes way for one missing simplex after another.
 class ObstacleClearing {
  public:
-  ObstacleClearing(TetrahedralMesh& mesh, const ConstrainedSurface& surface, std::uint64_t seed)
-      : mesh_(mesh), surface_(surface), finder_(mesh), random_(seed) {}
+  /// After `attempts_in_all` recursive ones, only plain and random moves are tried.
+  ObstacleClearing(TetrahedralMesh& mesh, const ConstrainedSurface& surface, std::uint64_t seed,
+                   int attempts_in_all = std::numeric_limits<int>::max())
+      : mesh_(mesh),
+        surface_(surface),
+        finder_(mesh),
+        random_(seed),
+        attempts_left_(attempts_in_all) {}
 
   ChannelFinder& finder() { return finder_; }
 
@@ -39,7 +45,7 @@ class ObstacleClearing {
     LocalMoves<Obstacle> moves(mesh_, surface_, obstacle);
     int fewest = std::numeric_limits<int>::max();
     int idle = 0;
-    int budget = effort.recursive_attempts;
+    int budget = std::min(effort.recursive_attempts, attempts_left_);
     int random_moves = effort.random_moves;
     tabu_.clear();
     for (;;) {
@@ -81,6 +87,7 @@ class ObstacleClearing {
   template <class Obstacle>
   bool lower_recursively(LocalMoves<Obstacle>& moves, const Channel& channel, int depth,
                          int& budget) {
+    const int before = budget;
     mesh_.open_journal();
     bool moved = false;
     for (int d = 1; d <= depth && !moved; ++d) {
@@ -91,6 +98,7 @@ class ObstacleClearing {
       }
     }
     mesh_.close_journal();
+    attempts_left_ -= before - budget;
     return moved;
   }
 
@@ -136,6 +144,7 @@ class ObstacleClearing {
   const ConstrainedSurface& surface_;
   ChannelFinder finder_;
   Random random_;
+  int attempts_left_;
   std::vector<Edge> tabu_;
 };
 

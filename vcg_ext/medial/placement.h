@@ -19,17 +19,20 @@ namespace mgf {
 
 namespace detail {
 
-/// How far one can go from inside tetrahedron t at `from` towards `to` before leaving the interior:
-/// a share in [0, 1]. Walks from tetrahedron to tetrahedron; `step_limit` bounds the walk where
-/// rounding in slivers could make it wander, and then the share reached so far is given.
+/// The share of the way from inside tetrahedron t at `from` to `to` that is behind one when the
+/// surface is met; infinite if `to` lies before that. Walks from tetrahedron to tetrahedron;
+/// `step_limit` bounds the walk where rounding in slivers could make it wander, and then the share
+/// reached so far is given.
 inline double visible_share(const InteriorTetrahedra& interior, Index t, const Vec3& from,
                             const Vec3& to, std::size_t step_limit) {
+  constexpr double kBeyond = 1.0 + 1e-9;  // nearer than that, `to` lies on the surface
+  constexpr double kNever = std::numeric_limits<double>::infinity();
   const Vec3 direction = to - from;
   Index previous = kNone;
   double reached = 0.0;
   for (std::size_t step = 0; step < step_limit; ++step) {
     const Tetrahedron& corners = interior.tetrahedra[t];
-    double exit_share = std::numeric_limits<double>::infinity();
+    double exit_share = kNever;
     std::size_t exit_face = 4;
     for (std::size_t i = 0; i < 4; ++i) {
       if (interior.neighbours[t][i] == previous && previous != kNone) continue;
@@ -45,7 +48,7 @@ inline double visible_share(const InteriorTetrahedra& interior, Index t, const V
         exit_face = i;
       }
     }
-    if (exit_face == 4 || exit_share >= 1.0) return 1.0;
+    if (exit_share >= kBeyond) return kNever;
     reached = std::max(reached, exit_share);
     const Index next = interior.neighbours[t][exit_face];
     if (next == kNone) return reached;
@@ -126,10 +129,10 @@ inline double contact_distance(const InteriorTetrahedra& interior, const MedialC
 
 }  // namespace detail
 
-/// Moves each Voronoi vertex that its tetrahedron's centroid can't see inside the shape back along
-/// the line of sight, to nine tenths of what can be seen, and marks it as displaced. Afterwards
-/// every vertex is finite and inside T'. Cost: one short walk a vertex. The same for any number of
-/// `threads` (0: all).
+/// Moves each Voronoi vertex that its tetrahedron's centroid can't see inside the shape, as it lies
+/// outside or on the surface, back along the line of sight, to nine tenths of what can be seen, and
+/// marks it as displaced. Afterwards every vertex is finite and inside T'. Cost: one short walk a
+/// vertex. The same for any number of `threads` (0: all).
 inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialComplex& complex,
                                    unsigned threads = 0) {
   constexpr double kKeptShare = 0.9;
@@ -142,11 +145,11 @@ inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialCom
     const Vec3 centroid = tetrahedron_centroid(interior, t);
     Vec3& position = complex.position[t];
     const double distance = (position - centroid).norm();
-    double share = 0.0;
+    double share = 0.0;          // of the way there that can be seen
     if (distance <= far_away) {  // false for a circumcentre that is not finite
       share = detail::visible_share(interior, t, centroid, position, kStepLimit);
     }
-    if (share < 1.0) {
+    if (std::isfinite(share)) {
       position =
           share > 0.0 ? Vec3(centroid + kKeptShare * share * (position - centroid)) : centroid;
       complex.displaced[t] = 1;

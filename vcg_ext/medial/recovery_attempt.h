@@ -45,7 +45,13 @@ inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOp
   SurfaceFlipper flipper(boxed.points, result.surface);
   if (options.flat_flips) result.surface_flips += flipper.flip_coplanar();
   if (options.guided_flips) result.surface_flips += flipper.flip_towards(result.mesh);
+  // Ten times what was seen of surfaces that could be recovered (1 a point); those that can't be
+  // went on to 200.
+  constexpr int kSpareAttempts = 20'000;
+  constexpr int kAttemptsPerPoint = 10;
   RecoveryLimits limits;
+  limits.attempts_in_all =
+      kSpareAttempts + kAttemptsPerPoint * static_cast<int>(boxed.points.size());
   limits.added_points =
       options.spare_points +
       static_cast<std::size_t>(options.growth * static_cast<double>(boxed.points.size()));
