@@ -145,24 +145,34 @@ inline double height_by_lengths(double base, double left, double right) {
   return 0.5 * std::sqrt(product) / base;
 }
 
-/// Lays triangle t flat above each of its sides, of the given lengths.
-inline void lay_flat_by_lengths(Index t, const std::array<double, 3>& length, double least_height,
-                                HalfedgeMesh& mesh) {
-  for (Index i = 0; i < 3; ++i) {
-    const double base = length[i];
-    const double right = length[(i + 1) % 3];
-    const double left = length[(i + 2) % 3];
-    // From the nearer end, as the other form would lose a short side.
-    const double x = left <= right
-                         ? 0.5 * ((base - right) * (base + right) + left * left) / base
-                         : base - 0.5 * ((base - left) * (base + left) + right * right) / base;
-    const double y = height_by_lengths(base, left, right);
-    mesh.halfedges[3 * t + i].apex = {x, std::max(y, least_height)};
+/// Lays triangle t flat above each of its sides, by the places of its corners.
+inline void lay_flat_by_places(Index t, double least_height, HalfedgeMesh& mesh) {
+  for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+    Halfedge& side = mesh.halfedges[h];
+    const Vec3 edge = mesh.points[mesh.head(h)] - mesh.points[side.tail];
+    const Vec3 arm = mesh.points[mesh.apex(h)] - mesh.points[side.tail];
+    side.apex.x = edge.dot(arm) / side.length;
+    side.apex.y = std::max(edge.cross(arm).norm() / side.length, least_height);
   }
 }
 
-/// Lays each triangle flat above each of its sides. A side without length and a triangle without
-/// height get a hair of it, so that directions are defined.
+/// The same by the lengths of its sides, where corners have no places of their own.
+inline void lay_flat_by_lengths(Index t, double least_height, HalfedgeMesh& mesh) {
+  for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+    Halfedge& side = mesh.halfedges[h];
+    const double base = side.length;
+    const double right = mesh.halfedges[next_in_triangle(h)].length;
+    const double left = mesh.halfedges[previous_in_triangle(h)].length;
+    // From the nearer end, as the other form would lose a short side.
+    side.apex.x = left <= right
+                      ? 0.5 * ((base - right) * (base + right) + left * left) / base
+                      : base - 0.5 * ((base - left) * (base + left) + right * right) / base;
+    side.apex.y = std::max(height_by_lengths(base, left, right), least_height);
+  }
+}
+
+/// Lays all triangles flat. A side without length and a triangle without height get a hair of it,
+/// so that directions are defined.
 inline void lay_flat(HalfedgeMesh& mesh) {
   constexpr double kLeastHeight = 1e-13;  // of the longest side
   double sum = 0.0;
@@ -171,26 +181,21 @@ inline void lay_flat(HalfedgeMesh& mesh) {
     sum += mesh.halfedges[h].length;
   }
   if (!mesh.halfedges.empty()) mesh.mean_edge = sum / static_cast<double>(mesh.halfedges.size());
-  const double least_length = HalfedgeMesh::kHair * mesh.mean_edge;
-  for (Halfedge& side : mesh.halfedges) side.length = std::max(side.length, least_length);
+  const double hair = HalfedgeMesh::kHair * mesh.mean_edge;
+  for (Halfedge& side : mesh.halfedges) side.length = std::max(side.length, hair);
   mesh.is_thin.assign(mesh.triangle_count(), 0);
   for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const std::array<double, 3> length{mesh.halfedges[3 * t].length,
-                                       mesh.halfedges[3 * t + 1].length,
-                                       mesh.halfedges[3 * t + 2].length};
-    const auto [shortest, longest] = std::minmax_element(length.begin(), length.end());
-    const double least_height = kLeastHeight * *longest;
-    const bool has_hair = *shortest <= least_length;
-    if (has_hair) lay_flat_by_lengths(t, length, least_height, mesh);
-    for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-      Halfedge& side = mesh.halfedges[h];
-      if (!has_hair) {
-        const Vec3 edge = mesh.points[mesh.head(h)] - mesh.points[side.tail];
-        const Vec3 arm = mesh.points[mesh.apex(h)] - mesh.points[side.tail];
-        side.apex.x = edge.dot(arm) / side.length;
-        side.apex.y = std::max(edge.cross(arm).norm() / side.length, least_height);
-      }
-      const bool is_thin = std::min(side.apex.y, side.length) < HalfedgeMesh::kThin * *longest;
+    const Halfedge* const sides = &mesh.halfedges[3 * t];
+    const auto [shortest, longest] =
+        std::minmax({sides[0].length, sides[1].length, sides[2].length});
+    if (shortest > hair) {
+      lay_flat_by_places(t, kLeastHeight * longest, mesh);
+    } else {
+      lay_flat_by_lengths(t, kLeastHeight * longest, mesh);
+    }
+    for (Index i = 0; i < 3; ++i) {
+      const bool is_thin =
+          std::min(sides[i].apex.y, sides[i].length) < HalfedgeMesh::kThin * longest;
       if (is_thin) mesh.is_thin[t] = 1;
     }
   }
