@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+// CGAL's cut may meet faces that cross in ways it isn't made for. Only its assertions tell; without
+// them it goes on and may never end.
+#define CGAL_DEBUG
+
 #include "vcg_ext/exact/autorefine.h"
 
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/assertions_behaviour.h>
 
 #include <array>
 #include <exception>
@@ -31,11 +37,26 @@ std::optional<SurfaceMesh> to_surface_mesh(const TriangleSurface& surface) {
   return mesh;
 }
 
+// While it lives, CGAL's failed assertions throw without a word on standard error.
+class QuietAssertions {
+ public:
+  QuietAssertions()
+      : previous_(CGAL::set_error_handler(
+            [](const char*, const char*, const char*, int, const char*) {})) {}
+  ~QuietAssertions() { CGAL::set_error_handler(previous_); }
+  QuietAssertions(const QuietAssertions&) = delete;
+  QuietAssertions& operator=(const QuietAssertions&) = delete;
+
+ private:
+  CGAL::Failure_function previous_;
+};
+
 }  // namespace
 
 std::optional<TriangleSurface> autorefined(const TriangleSurface& surface) {
   auto mesh = to_surface_mesh(surface);
   if (!mesh) return std::nullopt;
+  const QuietAssertions quiet;
   try {
     CGAL::Polygon_mesh_processing::experimental::autorefine(*mesh);
   } catch (const std::exception&) {

@@ -30,19 +30,18 @@ struct PropagationPruning {
 };
 
 /// The workspace of window propagation on one mesh; one per thread. Memory grows with the number
-/// of windows of the largest search, at most `kMostWindows`.
+/// of windows of the largest search, 2^24 at most.
 class WindowPropagation {
  public:
-  /// A search that needs more windows than this ends as incomplete.
-  static constexpr std::size_t kMostWindows = std::size_t{1} << 24U;
-
   explicit WindowPropagation(const HalfedgeMesh& mesh, PropagationPruning pruning = {})
       : mesh_(mesh),
         pruning_(pruning),
         tolerance_(1e-10 * mesh.mean_edge),
         targets_(mesh, tolerance_),
         queue_(0.5 * mesh.mean_edge),
-        states_(mesh.vertex_count()) {}
+        states_(mesh.vertex_count()),
+        most_windows_(
+            std::min(kMostWindows, kSpareWindows + kWindowsPerTriangle * mesh.triangle_count())) {}
 
   /// Searches from `start` until every target's distance is certain, or certain to be beyond its
   /// limit. Returns false if the search was given up for its size; lengths found are then only
@@ -104,6 +103,11 @@ class WindowPropagation {
   static constexpr double kAngleSlack = 1e-8;  ///< rounding of a ray's direction, made good at
                                                ///< second order: lengths err by its square
   static constexpr Index kRootFlag = Index{1} << 31U;
+  /// A search that needs more windows ends as incomplete. Sound ones have about ten an edge; where
+  /// rounding makes a heap of saddles of one point, there is no end to them.
+  static constexpr std::size_t kMostWindows = std::size_t{1} << 24U;
+  static constexpr std::size_t kSpareWindows = std::size_t{1} << 17U;
+  static constexpr std::size_t kWindowsPerTriangle = 300;
 
   struct Root {
     double offset;
@@ -165,7 +169,7 @@ class WindowPropagation {
       } else {
         propagate(entry);
       }
-      if (windows_.size() > kMostWindows) return false;
+      if (windows_.size() > most_windows_) return false;
     }
     return true;
   }
@@ -411,6 +415,7 @@ class WindowPropagation {
   std::vector<Index> touched_;       ///< vertices with a bound
   std::vector<Window> windows_;
   std::vector<Root> roots_;
+  std::size_t most_windows_;
   const std::vector<char>* allowed_ = nullptr;
   bool met_thin_triangle_ = false;
 };
