@@ -187,6 +187,18 @@ TEST(BoundaryRecovery, EdgesWithoutRoomForAPointWaitUntilOthersMadeSome) {
   }
 }
 
+// CGAL's autorefinement is not made for so many faces that cross on one line.
+TEST(Recovery, EndsOnATorusThroughItselfThatCantBeCut) {
+  TriangleSurface surface = fixtures::torus(8, 11, 1.0, 1.25);
+  constexpr double kGrid = 0.044;
+  for (Vec3& p : surface.points) p = kGrid * (p / kGrid).array().round().matrix();
+  RecoveryOptions options;
+  options.known_crossings = 152;  // so that it is cut at once
+  const InteriorTetrahedra interior = recover_interior(surface, options);
+  EXPECT_NE(interior.certificate.topology, TopologyVerdict::kProven);
+  EXPECT_FALSE(interior.tetrahedra.empty());
+}
+
 TEST(BoundaryRecovery, AddsPointsOnceItsAttemptsAreSpent) {
   const TriangleSurface surface =
       squeezed(fixtures::rotated(fixtures::torus(24, 10, 1.0, 0.3), 0.7, Vec3(1, 2, 3)));
