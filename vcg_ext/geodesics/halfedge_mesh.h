@@ -185,18 +185,18 @@ inline void lay_flat(HalfedgeMesh& mesh) {
   for (Halfedge& side : mesh.halfedges) side.length = std::max(side.length, hair);
   mesh.is_thin.assign(mesh.triangle_count(), 0);
   for (Index t = 0; t < mesh.triangle_count(); ++t) {
-    const Halfedge* const sides = &mesh.halfedges[3 * t];
+    const std::array<Index, 3> sides = {3 * t, 3 * t + 1, 3 * t + 2};
     const auto [shortest, longest] =
-        std::minmax({sides[0].length, sides[1].length, sides[2].length});
+        std::minmax({mesh.halfedges[sides[0]].length, mesh.halfedges[sides[1]].length,
+                     mesh.halfedges[sides[2]].length});
     if (shortest > hair) {
       lay_flat_by_places(t, kLeastHeight * longest, mesh);
     } else {
       lay_flat_by_lengths(t, kLeastHeight * longest, mesh);
     }
-    for (Index i = 0; i < 3; ++i) {
-      const bool is_thin =
-          std::min(sides[i].apex.y, sides[i].length) < HalfedgeMesh::kThin * longest;
-      if (is_thin) mesh.is_thin[t] = 1;
+    for (const Index h : sides) {
+      const Halfedge& side = mesh.halfedges[h];
+      if (std::min(side.apex.y, side.length) < HalfedgeMesh::kThin * longest) mesh.is_thin[t] = 1;
     }
   }
 }
