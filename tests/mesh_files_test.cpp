@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <ostream>
 
 #include "filter_mgf_skeleton/tools/file_mesh.h"
 
@@ -147,6 +148,11 @@ struct BadFile {
   Reader read;
   std::string bytes;
   std::string error;  ///< part of the message
+
+  /// So that the test is listed by its name, not by the bytes of this.
+  friend std::ostream& operator<<(std::ostream& out, const BadFile& file) {
+    return out << file.name;
+  }
 };
 
 class BadMeshFile : public testing::TestWithParam<BadFile> {};
