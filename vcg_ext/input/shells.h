@@ -93,6 +93,8 @@ inline std::vector<std::vector<Index>> containing_shells(
     const TriangleSurface& surface, const Shells& shells,
     const std::vector<std::array<Index, 2>>& crossing_faces) {
   const std::size_t count = shells.shells.size();
+  std::vector<std::vector<Index>> containing(count);
+  if (count == 1) return containing;
   std::vector<std::array<Index, 2>> cutting;
   for (const auto& [f, g] : crossing_faces) {
     cutting.push_back({shells.of_face[f], shells.of_face[g]});
@@ -104,7 +106,6 @@ inline std::vector<std::vector<Index>> containing_shells(
     if (probe[shells.of_vertex[v]] == kNone) probe[shells.of_vertex[v]] = v;
   }
   const SurfaceTree tree(surface);
-  std::vector<std::vector<Index>> containing(count);
   for (Index s = 0; s < count; ++s) {
     std::vector<Index> crossed;
     tree.visit_crossings(surface.points[probe[s]],
