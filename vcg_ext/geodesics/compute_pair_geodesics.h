@@ -92,7 +92,8 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
     constexpr std::size_t kSample = 32;
     const std::vector<Index> improved = certificate.run(kSample, progress.slice(0.3, 0.35));
     carrier.carry_on(improved, progress.slice(0.35, 0.4));
-    certificate.run(1, progress.slice(0.4, 0.95));
+    certificate.use_landmarks(progress.slice(0.4, 0.45));
+    certificate.run(1, progress.slice(0.45, 0.95));
   }
   progress.report(0.95, "Measuring geodesics");
   return detail::finish_geodesics(question, mesh, options.threads, std::move(paths));

@@ -124,12 +124,13 @@ class CorridorBuilder {
   Index arrived_ = kNone;  ///< the halfedge out of the last piece's end, in its last triangle
 };
 
-/// One straight piece of a path: from vertex `from` across the directed edges `crossed` to vertex
-/// `to`. With none crossed, the piece runs along the edge between the two.
+/// One straight piece of a path: from vertex `from` across the directed edges `crossed`, at
+/// `points`, to vertex `to`. With none crossed, the piece runs along the edge between the two.
 struct PathPiece {
   Index from = kNone;
   Index to = kNone;
   std::vector<Index> crossed;
+  std::vector<Vec3> points;
 };
 
 /// The corridor of a path given by its pieces in order.

@@ -12,12 +12,14 @@
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/corridor.h"
-#include "vcg_ext/geodesics/flat_vertices.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
+#include "vcg_ext/geodesics/landmark_search.h"
+#include "vcg_ext/geodesics/landmarks.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_paths.h"
+#include "vcg_ext/geodesics/path_lookup.h"
 #include "vcg_ext/geodesics/path_shortening.h"
-#include "vcg_ext/geodesics/surface_place.h"
+#include "vcg_ext/geodesics/search_surface.h"
 #include "vcg_ext/geodesics/vertex_cover.h"
 #include "vcg_ext/geodesics/window_propagation.h"
 
@@ -33,56 +35,18 @@ struct CertificateOptions {
 
 namespace detail {
 
-/// The surface that searches run on, with each vertex of the fine surface located on it.
-struct SearchSurface {
-  HalfedgeMesh mesh;
-  bool is_fine = true;               ///< `mesh` is the fine surface itself
-  std::vector<SurfacePlace> places;  ///< one per vertex of the fine surface
-  std::vector<Index> fine_vertex;    ///< one per vertex of `mesh`: its number on the fine surface
-  Rows<Index> parts;                 ///< one row per triangle of `mesh`: fine triangles in it
-};
-
-inline SearchSurface make_search_surface(const TriangleSurface& fine, const HalfedgeMesh& mesh,
-                                         bool skip_flat_vertices) {
-  SearchSurface search;
-  const CoarseSurface coarse = skip_flat_vertices ? without_flat_vertices(fine) : CoarseSurface{};
-  constexpr double kWorthIt = 0.9;  // paths on a coarse surface have to be found again on the fine
-  if (skip_flat_vertices && static_cast<double>(coarse.surface.points.size()) <
-                                kWorthIt * static_cast<double>(fine.points.size())) {
-    search.is_fine = false;
-    search.mesh = make_halfedge_mesh(coarse.surface);
-    search.places = places_on_coarse(fine, coarse, search.mesh);
-    search.fine_vertex.resize(coarse.surface.points.size());
-    for (Index v = 0; v < fine.points.size(); ++v) {
-      if (coarse.vertex_of[v] != kNone) search.fine_vertex[coarse.vertex_of[v]] = v;
-    }
-    search.parts = group_by_key(coarse.parent, coarse.surface.triangles.size());
-    return search;
-  }
-  search.mesh = mesh;
-  for (Index v = 0; v < fine.points.size(); ++v) {
-    search.places.push_back(place_of_vertex(search.mesh, v));
-    search.fine_vertex.push_back(v);
-  }
-  for (Index t = 0; t < fine.triangles.size(); ++t) {
-    search.parts.items.push_back(t);
-    search.parts.close_row();
-  }
-  return search;
-}
-
 /// What one thread needs to certify.
 class Certifier {
  public:
-  Certifier(const HalfedgeMesh& mesh, const SearchSurface& search,
+  /// `landmarks` are on the search surface; all but the options must outlive the certifier.
+  Certifier(const HalfedgeMesh& mesh, const SearchSurface& search, const Landmarks& landmarks,
             const CertificateOptions& options)
       : mesh_(mesh),
         search_(search),
         allowance_(1.0 + options.epsilon),
-        proving_(search.mesh, options.pruning),
-        searching_(mesh, options.pruning),
-        shortener_(mesh),
-        allowed_(mesh.triangle_count(), 0) {}
+        proving_(search.mesh, options.pruning, &landmarks),
+        lookup_(mesh, search, options.pruning),
+        shortener_(mesh) {}
 
   /// Proves or repairs the paths of `served`, all of which have `start` at one end.
   void certify(Index start, Row<Index> served, const std::vector<VertexPair>& pairs,
@@ -93,12 +57,15 @@ class Certifier {
       const double known = paths.length[id];
       proving_targets_.push_back({search_.places[end_of(id)], known, known / allowance_});
     }
-    proving_start_ = search_.places[start];
-    const bool is_complete = proving_.run(proving_start_, proving_targets_);
+    const bool is_complete = proving_.run(search_.places[start], proving_targets_);
+    windows_ += proving_.window_count();
     for (std::size_t slot = 0; slot < served.size(); ++slot) {
       settle(start, slot, served[slot], pairs[served[slot]], is_complete, paths);
     }
   }
+
+  /// How many windows its searches have made so far.
+  std::size_t windows() const { return windows_; }
 
   /// The pairs whose paths were replaced so far.
   std::vector<Index>& improved() { return improved_; }
@@ -115,11 +82,6 @@ class Certifier {
     return has_said ? Certification::kWithin : Certification::kUnproven;
   }
 
-  static constexpr double kRounding = 1e-10;  // of long unfoldings; 1e-13 unless triangles are thin
-  static bool agree(double found, double length) {
-    return std::abs(found - length) <= kRounding * length;
-  }
-
   /// Gives a pair the path that the last search found, in certain knowledge if the search was
   /// complete.
   void settle(Index start, std::size_t slot, Index id, const VertexPair& pair, bool is_complete,
@@ -127,18 +89,21 @@ class Certifier {
     const double found = proving_.distance(slot);
     const double known = paths.length[id];
     // Beyond the limit the search has left out paths: what it found there proves nothing.
-    const bool is_shortest =
-        is_complete && found <= proving_targets_[slot].limit * (1.0 + kRounding);
+    const double limit = proving_targets_[slot].limit;
+    const bool is_shortest = is_complete && (found <= limit || PathLookup::agree(found, limit));
     constexpr double kSame = 1e-13;  // relative; shortening gains no more
     if (is_shortest && std::abs(found - known) <= kSame * known) {
       paths.certification[id] = verdict();
       return;
     }
-    if (search_.is_fine && found < known) take(start, pair, proving_, slot, paths.corridor[id]);
+    if (search_.is_fine && found < known) {
+      paths.corridor[id] = corridor_from(start, pair, proving_.pieces(slot));
+    }
     double length = shortener_.shorten(pair.a, pair.b, paths.corridor[id]);
-    if (!agree(found, length) && found < length && look_up(start, slot, pair)) {
-      std::vector<Index> corridor;
-      take(start, pair, searching_, 0, corridor);
+    const Index end = pair.a == start ? pair.b : pair.a;
+    if (!PathLookup::agree(found, length) && found < length &&
+        lookup_.run(start, end, found, proving_.pieces(slot))) {
+      std::vector<Index> corridor = corridor_from(start, pair, lookup_.pieces());
       const double shorter = shortener_.shorten(pair.a, pair.b, corridor);
       if (shorter < length) {
         length = shorter;
@@ -146,83 +111,27 @@ class Certifier {
       }
     }
     paths.length[id] = length;
-    if (is_shortest && agree(found, length)) paths.certification[id] = verdict();
+    if (is_shortest && PathLookup::agree(found, length)) paths.certification[id] = verdict();
     if (is_complete && !is_shortest) paths.certification[id] = verdict_beyond_limit();
     if (length < known - 0.5 * mesh_.mean_edge) improved_.push_back(id);
   }
 
-  /// The corridor of the path that a search on the surface itself found, from the pair's first end.
-  void take(Index start, const VertexPair& pair, const WindowPropagation& search, std::size_t slot,
-            std::vector<Index>& corridor) const {
-    corridor = corridor_of_pieces(mesh_, search.pieces(slot));
-    if (start != pair.a) corridor = reversed_corridor(mesh_, corridor);
-  }
-
-  /// Looks on the surface itself for the path that the last search proved to exist: first in the
-  /// triangles about its corridor, then, should that fail, anywhere.
-  bool look_up(Index start, std::size_t slot, const VertexPair& pair) {
-    const double found = proving_.distance(slot);
-    const Index end = pair.a == start ? pair.b : pair.a;
-    targets_.assign(1, {place_of_vertex(mesh_, end), found * (1.0 + 1e-9)});
-    allow_corridor(slot);
-    searching_.keep_to(&allowed_);
-    const bool is_found = search_for(start, found);
-    for (const Index t : opened_) allowed_[t] = 0;
-    searching_.keep_to(nullptr);
-    return is_found || search_for(start, found);
-  }
-
-  bool search_for(Index start, double length) {
-    return searching_.run(place_of_vertex(mesh_, start), targets_) &&
-           agree(searching_.distance(0), length);
-  }
-
-  /// Allows the triangles in the corridor of the path found to a target, and those that touch them.
-  void allow_corridor(std::size_t slot) {
-    opened_.clear();
-    for (const PathPiece& piece : proving_.pieces(slot)) {
-      for (const Index h : piece.crossed) {
-        allow_part(triangle_of(h));
-        allow_part(triangle_of(search_.mesh.opposite(h)));
-      }
-      for (const Index end : {piece.from, piece.to}) {
-        if (end != kNone) allow_about(search_.fine_vertex[end]);
-      }
-    }
-    for (const SurfacePlace& place : {proving_start_, proving_targets_[slot].place}) {
-      if (place.triangle != kNone) allow_part(place.triangle);
-    }
-  }
-
-  /// Allows the surface's triangles in a triangle of the search surface.
-  void allow_part(Index triangle) {
-    for (const Index t : search_.parts[triangle]) {
-      for (Index h = 3 * t; h < 3 * t + 3; ++h) allow_about(mesh_.tail(h));
-    }
-  }
-
-  void allow_about(Index v) {
-    Index h = mesh_.outgoing[v];
-    do {
-      const Index t = triangle_of(h);
-      if (allowed_[t] == 0) opened_.push_back(t);
-      allowed_[t] = 1;
-      h = mesh_.rotated(h);
-    } while (h != mesh_.outgoing[v]);
+  /// The corridor of a path found from `start`, from the pair's first end.
+  std::vector<Index> corridor_from(Index start, const VertexPair& pair,
+                                   const std::vector<PathPiece>& pieces) const {
+    std::vector<Index> corridor = corridor_of_pieces(mesh_, pieces);
+    return start == pair.a ? corridor : reversed_corridor(mesh_, corridor);
   }
 
   const HalfedgeMesh& mesh_;
   const SearchSurface& search_;
-  double allowance_;             ///< 1 + epsilon
-  WindowPropagation proving_;    ///< on the search surface
-  WindowPropagation searching_;  ///< on the surface itself
+  double allowance_;           ///< 1 + epsilon
+  WindowPropagation proving_;  ///< on the search surface
+  PathLookup lookup_;
   PathShortener shortener_;
-  SurfacePlace proving_start_;
   std::vector<PropagationTarget> proving_targets_;
-  std::vector<PropagationTarget> targets_;  ///< of a repair
-  std::vector<char> allowed_;               ///< one per triangle: whether repairs may use it
-  std::vector<Index> opened_;               ///< the triangles allowed
   std::vector<Index> improved_;
+  std::size_t windows_ = 0;
 };
 
 }  // namespace detail
@@ -240,7 +149,7 @@ class PathCertificate {
         pairs_(pairs),
         options_(options),
         paths_(paths),
-        search_(detail::make_search_surface(surface, mesh, options.skip_flat_vertices)),
+        search_(make_search_surface(surface, mesh, options.skip_flat_vertices)),
         certifiers_(thread_count(threads)) {
     std::vector<double> weight(pairs.size(), 0.0);
     for (Index i = 0; i < pairs.size(); ++i) {
@@ -256,6 +165,26 @@ class PathCertificate {
     done_.assign(plan_.starts.size(), 0);
   }
 
+  /// Places landmarks if by the searches done so far they will save more than they take: with a
+  /// tenth of the windows that those still to be done would make. Returns how many there are.
+  std::size_t use_landmarks(const Progress& progress) {
+    constexpr double kShare = 0.1;
+    const auto done = static_cast<double>(std::count(done_.begin(), done_.end(), char{1}));
+    if (done == 0.0) return 0;
+    std::size_t windows = 0;
+    for (const auto& certifier : certifiers_) windows += certifier ? certifier->windows() : 0;
+    const double to_do = static_cast<double>(done_.size()) - done;
+    return use_landmarks(
+        static_cast<std::size_t>(kShare * static_cast<double>(windows) / done * to_do), progress);
+  }
+
+  /// Places the landmarks that `most_windows` windows suffice for. Returns how many there are.
+  std::size_t use_landmarks(std::size_t most_windows, const Progress& progress) {
+    landmarks_ =
+        place_landmarks(search_.mesh, most_windows, to_index(certifiers_.size()), progress);
+    return landmarks_.distance.size();
+  }
+
   /// Certifies the pairs of every `stride`-th search not yet done; 1 does all that are left.
   /// Returns the pairs whose paths were replaced.
   std::vector<Index> run(std::size_t stride, const Progress& progress) {
@@ -267,20 +196,20 @@ class PathCertificate {
     // Reported by the caller's own thread, the first of the workers.
     const std::size_t step = chosen.size() / 64 + 1;
     std::size_t next_report = 0;
-    parallel_for(chosen.size(), to_index(certifiers_.size()), 4,
-                 [&](std::size_t i, unsigned worker) {
-                   if (worker == 0 && i >= next_report) {
-                     progress.report(static_cast<double>(i) / static_cast<double>(chosen.size()),
-                                     "Proving geodesics");
-                     next_report = i + step;
-                   }
-                   auto& certifier = certifiers_[worker];
-                   if (!certifier) {
-                     certifier = std::make_unique<detail::Certifier>(mesh_, search_, options_);
-                   }
-                   const std::size_t search = chosen[i];
-                   certifier->certify(plan_.starts[search], plan_.pairs[search], pairs_, paths_);
-                 });
+    parallel_for(
+        chosen.size(), to_index(certifiers_.size()), 4, [&](std::size_t i, unsigned worker) {
+          if (worker == 0 && i >= next_report) {
+            progress.report(static_cast<double>(i) / static_cast<double>(chosen.size()),
+                            "Proving geodesics");
+            next_report = i + step;
+          }
+          auto& certifier = certifiers_[worker];
+          if (!certifier) {
+            certifier = std::make_unique<detail::Certifier>(mesh_, search_, landmarks_, options_);
+          }
+          const std::size_t search = chosen[i];
+          certifier->certify(plan_.starts[search], plan_.pairs[search], pairs_, paths_);
+        });
     return take_improved();
   }
 
@@ -300,7 +229,8 @@ class PathCertificate {
   const std::vector<VertexPair>& pairs_;
   CertificateOptions options_;
   PairPaths& paths_;
-  detail::SearchSurface search_;
+  SearchSurface search_;
+  Landmarks landmarks_;
   SearchPlan plan_;
   std::vector<char> done_;                                      ///< one per search
   std::vector<std::unique_ptr<detail::Certifier>> certifiers_;  ///< one per thread

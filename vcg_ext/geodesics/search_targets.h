@@ -8,6 +8,7 @@
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
+#include "vcg_ext/geodesics/landmarks.h"
 #include "vcg_ext/geodesics/surface_place.h"
 #include "vcg_ext/geodesics/window.h"
 
@@ -24,7 +25,9 @@ struct PropagationTarget {
 ///
 /// A window or a point matters to a target if what is covered so far, and from there the straight
 /// line in space, is not longer than the target's bound: all points that matter lie in a union
-/// of ellipsoids.
+/// of ellipsoids. Landmarks, if there are any, bound the rest of the way from a vertex, too.
+///
+/// Without targets, there is no bound to the search.
 class SearchTargets {
  public:
   struct Target {
@@ -35,10 +38,12 @@ class SearchTargets {
     Index next = kNone;  ///< the next target at the same vertex or in the same triangle
   };
 
-  /// Lengths that differ by less than `tolerance` are the same.
-  SearchTargets(const HalfedgeMesh& mesh, double tolerance)
+  /// Lengths that differ by less than `tolerance` are the same. `landmarks`: on this mesh, or
+  /// nullptr; may be filled in between two searches.
+  SearchTargets(const HalfedgeMesh& mesh, double tolerance, const Landmarks* landmarks)
       : mesh_(mesh),
         tolerance_(tolerance),
+        landmarks_(landmarks),
         at_vertex_(mesh.vertex_count(), kNone),
         in_triangle_(mesh.triangle_count(), kNone) {}
 
@@ -56,6 +61,7 @@ class SearchTargets {
       targets_.push_back(target);
     }
     refresh_reach();
+    measure_from_landmarks();
   }
 
   const Target& operator[](std::size_t i) const { return targets_[i]; }
@@ -79,11 +85,17 @@ class SearchTargets {
     }
   }
 
-  /// The longest that a path to p may be and still matter, if it goes on straight.
-  double rest(const Vec3& p) const {
-    double longest = -std::numeric_limits<double>::infinity();
+  /// No path to vertex v that is longer than this matters. Between two points it differs by no more
+  /// than the way from one to the other.
+  double rest(Index v) const {
+    double longest = -kInfinity;
     for (const Target& target : targets_) {
-      longest = std::max(longest, target.bound - (target.place.position - p).norm());
+      longest = std::max(longest, target.bound - (target.place.position - mesh_.points[v]).norm());
+    }
+    for (std::size_t i = 0; i < from_landmarks_.size(); ++i) {
+      const double distance = landmarks_->distance[i][v];
+      longest = std::min(longest, std::min(from_landmarks_[i].outward - distance,
+                                           from_landmarks_[i].inward + distance));
     }
     return longest + tolerance_;
   }
@@ -107,8 +119,25 @@ class SearchTargets {
   }
 
   void refresh_reach() {
-    reach_ = 0.0;
+    reach_ = targets_.empty() ? kInfinity : 0.0;
     for (const Target& target : targets_) reach_ = std::max(reach_, target.bound);
+  }
+
+  /// A path of length l to a point at distance d of a landmark has at least |d - d'| to go to a
+  /// target at d': it matters only if l <= bound + d' - d and l <= bound - d' + d for some target.
+  void measure_from_landmarks() {
+    from_landmarks_.clear();
+    if (landmarks_ == nullptr) return;
+    const double rounding = kLandmarkRounding * mesh_.mean_edge;
+    for (const std::vector<double>& row : landmarks_->distance) {
+      FromLandmark from;
+      for (const Target& target : targets_) {
+        const DistanceRange range = distance_of_place(mesh_, row, target.place);
+        from.outward = std::max(from.outward, target.bound + range.most + rounding);
+        from.inward = std::max(from.inward, target.bound - range.least + rounding);
+      }
+      from_landmarks_.push_back(from);
+    }
   }
 
   /// Whether the shortest way from w's source through w to `place`, which is straight or bends at
@@ -127,8 +156,19 @@ class SearchTargets {
     return left_over >= 0.0 && dot(rest, rest) <= left_over * left_over;
   }
 
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static constexpr double kLandmarkRounding = 1e-6;  ///< of the mean edge; distances are far better
+
+  /// What a landmark says of the targets; see measure_from_landmarks.
+  struct FromLandmark {
+    double outward = -kInfinity;
+    double inward = -kInfinity;
+  };
+
   const HalfedgeMesh& mesh_;
   double tolerance_;
+  const Landmarks* landmarks_;
+  std::vector<FromLandmark> from_landmarks_;  ///< one per landmark
   std::vector<Target> targets_;
   std::vector<Index> at_vertex_;    ///< one per vertex: the first target at it, or kNone
   std::vector<Index> in_triangle_;  ///< one per triangle: the first target in it, or kNone

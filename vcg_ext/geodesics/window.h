@@ -35,6 +35,13 @@ struct Window {
     return offset - source.y;
   }
 
+  /// Where on the edge the ray to `aim`, a point of the triangle, passes.
+  double passage_to(Vec2 aim) const {
+    const double height = aim.y - source.y;
+    const double x = height > 0.0 ? source.x - (aim.x - source.x) * (source.y / height) : aim.x;
+    return std::clamp(x, left, right);
+  }
+
   /// Sets the distances of the ends from the rest.
   void measure_ends() {
     left_distance = offset + norm(to_left());

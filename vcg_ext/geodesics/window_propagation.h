@@ -16,6 +16,7 @@
 #include "vcg_ext/geodesics/bucket_queue.h"
 #include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
+#include "vcg_ext/geodesics/landmarks.h"
 #include "vcg_ext/geodesics/search_targets.h"
 #include "vcg_ext/geodesics/surface_place.h"
 #include "vcg_ext/geodesics/window.h"
@@ -33,19 +34,22 @@ struct PropagationPruning {
 /// of windows of the largest search, 2^24 at most.
 class WindowPropagation {
  public:
-  explicit WindowPropagation(const HalfedgeMesh& mesh, PropagationPruning pruning = {})
+  /// `landmarks`: on this mesh, or nullptr; they may be filled in between two searches.
+  explicit WindowPropagation(const HalfedgeMesh& mesh, PropagationPruning pruning = {},
+                             const Landmarks* landmarks = nullptr)
       : mesh_(mesh),
         pruning_(pruning),
         tolerance_(1e-10 * mesh.mean_edge),
-        targets_(mesh, tolerance_),
+        targets_(mesh, tolerance_, landmarks),
         queue_(0.5 * mesh.mean_edge),
         states_(mesh.vertex_count()),
         most_windows_(
             std::min(kMostWindows, kSpareWindows + kWindowsPerTriangle * mesh.triangle_count())) {}
 
   /// Searches from `start` until every target's distance is certain, or certain to be beyond its
-  /// limit. Returns false if the search was given up for its size; lengths found are then only
-  /// upper bounds.
+  /// limit; without targets, and without `PropagationPruning::ellipse`, until every vertex's is.
+  /// Returns false if the search was given up for its size; lengths found are then only upper
+  /// bounds.
   bool run(const SurfacePlace& start, const std::vector<PropagationTarget>& targets) {
     begin(targets);
     if (start.vertex != kNone) {
@@ -54,14 +58,19 @@ class WindowPropagation {
       roots_.push_back({0.0, 0.0, kNone, kNone, kNone});
       spread_in_triangle(start);
     }
-    const bool complete = drain();
-    end();
-    return complete;
+    return drain();
   }
 
   /// From now on keeps to the triangles t with allowed[t] != 0; nullptr allows all. What is found
   /// then is the shortest path among those in the triangles allowed.
   void keep_to(const std::vector<char>* allowed) { allowed_ = allowed; }
+
+  /// From now on searches that need more windows than this are given up, too.
+  void give_up_beyond(std::size_t count) { most_windows_ = std::min(most_windows_, count); }
+
+  /// Length of some path from the last run's start to v; the distance, if that run was complete and
+  /// had no targets. Infinity if it didn't come there.
+  double vertex_bound(Index v) const { return states_[v].bound; }
 
   /// Length of the path found to target i of the last run; infinity if there is none. No path is
   /// shorter than the lesser of that and the target's limit.
@@ -71,17 +80,21 @@ class WindowPropagation {
   /// An end that is no vertex is kNone.
   std::vector<PathPiece> pieces(std::size_t i) const {
     std::vector<PathPiece> path;
-    Index vertex = targets_[i].place.vertex;
+    const SurfacePlace& target = targets_[i].place;
+    Index vertex = target.vertex;
     Index window = targets_[i].window;
     Index root = targets_[i].root;
     while (true) {
       PathPiece piece;
-      for (Index w = window; w != kNone; w = windows_[w].parent) {
-        piece.crossed.push_back(windows_[w].halfedge);
-      }
-      std::reverse(piece.crossed.begin(), piece.crossed.end());
       piece.from = roots_[root].vertex;
       piece.to = vertex;
+      if (window != kNone) {
+        const Index last = windows_[window].halfedge;
+        trace_back(
+            window,
+            vertex != kNone ? mesh_.halfedges[last].apex : in_frame_of(mesh_, last, target.at),
+            piece);
+      }
       vertex = piece.from;
       path.push_back(std::move(piece));
       if (roots_[root].parent_root == kNone) break;
@@ -126,9 +139,34 @@ class WindowPropagation {
     Index last_root = kNone;   ///< the last root put there
   };
 
+  /// Adds the edges that the straight way through a window to `aim`, in its edge's frame, has
+  /// crossed.
+  void trace_back(Index window, Vec2 aim, PathPiece& piece) const {
+    for (Index id = window; id != kNone; id = windows_[id].parent) {
+      const Window& w = windows_[id];
+      const double share = w.passage_to(aim) / mesh_.halfedges[w.halfedge].length;
+      piece.crossed.push_back(w.halfedge);
+      piece.points.push_back(mesh_.points[mesh_.tail(w.halfedge)] * (1.0 - share) +
+                             mesh_.points[mesh_.head(w.halfedge)] * share);
+      if (w.parent == kNone) break;
+      // That point, as the window before it sees it, on one of the far sides of its triangle.
+      const Index before = windows_[w.parent].halfedge;
+      const Halfedge& edge = mesh_.halfedges[before];
+      const bool is_right = mesh_.opposite(w.halfedge) == next_in_triangle(before);
+      const Vec2 tail = is_right ? edge.apex : Vec2{0.0, 0.0};
+      const Vec2 head = is_right ? Vec2{edge.length, 0.0} : edge.apex;
+      aim = {tail.x + (head.x - tail.x) * share, tail.y + (head.y - tail.y) * share};
+    }
+    std::reverse(piece.crossed.begin(), piece.crossed.end());
+    std::reverse(piece.points.begin(), piece.points.end());
+  }
+
   double padded(double bound) const { return bound + tolerance_; }
 
   void begin(const std::vector<PropagationTarget>& targets) {
+    for (const Index v : touched_) states_[v] = {};
+    touched_.clear();
+    queue_.clear();
     windows_.clear();
     roots_.clear();
     targets_.assign(targets);
@@ -138,17 +176,11 @@ class WindowPropagation {
     met_thin_triangle_ = false;
   }
 
-  void end() {
-    for (const Index v : touched_) states_[v] = {};
-    touched_.clear();
-    queue_.clear();
-  }
-
   /// The longest that a path to v may be and still matter.
   double rest_at(Index v) {
     double& rest = states_[v].rest;
     if (rest == kInfinity) {
-      rest = targets_.rest(mesh_.points[v]);
+      rest = targets_.rest(v);
       touched_.push_back(v);
     }
     return rest;
