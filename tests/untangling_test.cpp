@@ -121,6 +121,19 @@ TEST(Untangling, MovesVerticesByTwiceTheirEdgesAtMostAndSaysWhich) {
   EXPECT_GT(largest, 0.0);
 }
 
+TEST(Untangling, MovesNoVertexOfACoarseSurfaceAcrossIt) {
+  // A corner pushed through the far side: a move of less than twice its edges would part the faces.
+  TriangleSurface tangled = sphere(1);
+  tangled.points[0] *= -1.6;
+  const auto crossings = exact::self_intersections(tangled);
+  ASSERT_FALSE(crossings.empty());
+  TriangleSurface mended = tangled;
+  const Untangling result = untangle(mended, crossings);
+  EXPECT_EQ(result.largest_move, 0.0);
+  EXPECT_EQ(result.left, crossings);
+  EXPECT_EQ(mended.points, tangled.points);
+}
+
 TEST(Untangling, PartsSheetsThatGrazeEachOther) {
   TriangleSurface surface = eight(0.78);
   const auto crossings = exact::self_intersections(surface);

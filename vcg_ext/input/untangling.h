@@ -30,9 +30,9 @@ struct Untangling {
 /// moved crosses any other, but for pairs of other tangles that crossed before. Where 64 steps
 /// don't get there, it starts again with one ring round these faces moved, too. (Of 240 noisy
 /// meshes, with up to 38 000 crossings, that mended all; a second ring never helped.) No vertex
-/// gets further away from where it was than twice the mean length of its edges. A tangle that
-/// resists, such as limbs that pass deeply through each other, is put back as it was; so is one of
-/// several shells, whose solids may be meant to overlap.
+/// gets further away from where it was than twice the mean length of its edges, nor than a tenth of
+/// the bounding box diagonal. A tangle that resists, such as limbs that pass deeply through each
+/// other, is put back as it was; so is one of several shells, whose solids may be meant to overlap.
 ///
 /// Connectivity, and so the genus, stays. Nothing passes through another sheet unless they crossed
 /// before: a moving patch that does must cross it along its border, which stays, or swallow all the
@@ -51,7 +51,8 @@ using Pair = std::array<Index, 2>;
 inline constexpr int kMostRings = 1;
 inline constexpr int kSteps = 64;  // for each number of rings
 inline constexpr double kStep = 0.25;
-inline constexpr double kLongestMove = 2.0;  // mean lengths of a vertex' edges
+inline constexpr double kLongestMove = 2.0;   // mean lengths of a vertex' edges
+inline constexpr double kLongestShare = 0.1;  // of the bounding box diagonal
 
 /// The items, each once, ascending.
 inline std::vector<Index> each_once(std::vector<Index> items) {
@@ -91,6 +92,7 @@ class Untangler {
       : surface_(surface),
         crossings_(crossings),
         before_(surface.points),
+        longest_share_(kLongestShare * bounding_box_diagonal(surface.points)),
         faces_at_(faces_by_corner(surface)),
         tree_(face_boxes(surface)) {
     find_tangles();
@@ -215,7 +217,7 @@ class Untangler {
       const Vec3& here = surface_.points[v];
       const Vec3 wanted = here + kStep * (mean_of_neighbours(v) - here);
       const Vec3 move = wanted - before_[v];
-      const double longest = kLongestMove * mean_edge_length(v);
+      const double longest = std::min(kLongestMove * mean_edge_length(v), longest_share_);
       const double length = move.norm();
       next.push_back(length <= longest ? wanted : Vec3(before_[v] + longest / length * move));
     }
@@ -301,6 +303,7 @@ class Untangler {
   TriangleSurface& surface_;
   const std::vector<Pair>& crossings_;
   std::vector<Vec3> before_;                 // where the vertices were
+  double longest_share_;                     // no vertex moves further than that
   Rows<Index> faces_at_;                     // one row per vertex
   BoxTree tree_;                             // of the faces, wherever they have been
   std::vector<std::vector<Index>> tangles_;  // faces; none: not to be touched
