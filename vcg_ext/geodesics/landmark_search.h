@@ -89,7 +89,8 @@ inline std::vector<double> distances_from(const HalfedgeMesh& mesh, Index landma
 /// what the first one takes; none if that is fewer than kFewestLandmarks, or if a triangle is thin,
 /// as distances from afar are uncertain there. The result does not depend on the number of threads.
 ///
-/// Cost: that many windows, and a number per vertex and landmark.
+/// Cost: about that many windows (four times as many at most, where the first one lies on a small
+/// shell), and a number per vertex and landmark.
 inline Landmarks place_landmarks(const HalfedgeMesh& mesh, std::size_t most_windows,
                                  unsigned threads, const Progress& progress = {}) {
   constexpr std::size_t kFewestLandmarks = 8;  // fewer save less than they take
@@ -108,7 +109,7 @@ inline Landmarks place_landmarks(const HalfedgeMesh& mesh, std::size_t most_wind
   rows[0] = detail::distances_from(mesh, vertices.take(), most_each, windows);
   if (rows[0].empty()) return landmarks;
 
-  rows.resize(std::min(kMostLandmarks, most_windows / windows));
+  rows.resize(std::min(kMostLandmarks, most_windows / std::max<std::size_t>(windows, 1)));
   std::vector<Index> places(rows.size());
   for (std::size_t i = 1; i < rows.size(); ++i) places[i] = vertices.take();
   parallel_for(rows.size() - 1, thread_count(threads), 1, [&](std::size_t i, unsigned worker) {
