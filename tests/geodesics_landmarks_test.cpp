@@ -126,7 +126,8 @@ TEST(Landmarks, CutTheWayRoundARim) {
   std::size_t plain_windows = 0;
   std::size_t windows = 0;
   const std::vector<VertexPair> pairs = pairs_across_the_wall(5);
-  for (std::size_t i = 0; i < pairs.size(); i += 100) {
+  // Not from the pole, the first of them: from there, all ways are equally long.
+  for (std::size_t i = 100; i < pairs.size(); i += 100) {
     const SurfacePlace from = place_of_vertex(mesh, pairs[i].a);
     PropagationTarget target{place_of_vertex(mesh, pairs[i].b), kInfinity};
     ASSERT_TRUE(plain.run(from, {target}));
@@ -137,7 +138,7 @@ TEST(Landmarks, CutTheWayRoundARim) {
     plain_windows += plain.window_count();
     windows += with.window_count();
   }
-  EXPECT_LT(2 * windows, plain_windows);
+  EXPECT_LT(10 * windows, plain_windows);
 }
 
 TEST(Landmarks, ChangeNoLength) {

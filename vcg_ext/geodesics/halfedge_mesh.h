@@ -27,6 +27,9 @@ struct Vec2 {
 inline Vec2 operator-(Vec2 p, Vec2 q) {
   return {p.x - q.x, p.y - q.y};
 }
+inline Vec2 operator-(Vec2 p) {
+  return {-p.x, -p.y};
+}
 inline double cross(Vec2 p, Vec2 q) {
   return p.x * q.y - p.y * q.x;
 }
@@ -35,6 +38,16 @@ inline double dot(Vec2 p, Vec2 q) {
 }
 inline double norm(Vec2 p) {
   return std::sqrt(dot(p, p));
+}
+/// The point at `share` of the way from p to q.
+inline Vec2 point_between(Vec2 p, Vec2 q, double share) {
+  return {p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)};
+}
+/// The point that lies `along` and `across` (to the left) the segment from tail to head, in units
+/// of its length.
+inline Vec2 place_beside(Vec2 tail, Vec2 head, double along, double across) {
+  const Vec2 edge = head - tail;
+  return {tail.x + along * edge.x - across * edge.y, tail.y + along * edge.y + across * edge.x};
 }
 
 /// Directed edge 3t + i runs from corner i to corner i + 1 of triangle t. Its frame has the tail at
@@ -56,6 +69,22 @@ inline Index previous_in_triangle(Index h) {
   return h % 3 == 0 ? h + 2 : h - 1;
 }
 
+enum Side { kLeft = 0, kRight = 1 };  ///< of a path
+
+/// What a straight path meets that enters a triangle through a directed edge of it: all that a
+/// search needs there, in one place.
+struct Crossing {
+  double along = 0.0;   ///< where the apex lies: along the edge from its tail, over its length,
+  double across = 0.0;  ///< and across it
+  double length = 0.0;  ///< of the edge
+  Index apex = kNone;   ///< the vertex
+  /// The other edges, each in the triangle beyond it: on the left that between tail and apex, on
+  /// the right that between apex and head.
+  std::array<Index, 2> beyond = {kNone, kNone};
+  bool apex_is_saddle = false;
+  bool is_thin = false;  ///< of the triangle; see HalfedgeMesh::is_thin
+};
+
 /// The closed oriented surface. Distances depend on `halfedges` alone; `points` serve bounds and
 /// tangents.
 struct HalfedgeMesh {
@@ -66,7 +95,9 @@ struct HalfedgeMesh {
   std::vector<double> total_angle;  ///< one per vertex
   std::vector<double> half_angle_cosine;  ///< one per vertex, of half its total angle, at most pi
   std::vector<Index> outgoing;            ///< one per vertex: a halfedge that leaves it, or kNone
-  std::vector<char> is_thin;  ///< one per triangle: so thin (kThin) that angles are uncertain
+  std::vector<char> is_thin;        ///< one per triangle: so thin (kThin) that angles are uncertain
+  std::vector<Crossing> crossings;  ///< one per halfedge
+  Rows<Index> fans;  ///< one row per vertex: the halfedges out of it, anticlockwise from `outgoing`
   double mean_edge = 0.0;
 
   std::size_t vertex_count() const { return points.size(); }
@@ -228,6 +259,34 @@ inline void measure_angles(HalfedgeMesh& mesh) {
   }
 }
 
+inline void list_fans(HalfedgeMesh& mesh) {
+  mesh.fans.items.reserve(mesh.halfedges.size());
+  for (const Index first : mesh.outgoing) {
+    for (Index h = first; h != kNone;) {
+      mesh.fans.items.push_back(h);
+      h = mesh.rotated(h);
+      if (h == first) break;
+    }
+    mesh.fans.close_row();
+  }
+}
+
+inline void list_crossings(HalfedgeMesh& mesh) {
+  mesh.crossings.reserve(mesh.halfedges.size());
+  for (Index h = 0; h < mesh.halfedges.size(); ++h) {
+    const Halfedge& edge = mesh.halfedges[h];
+    const Index apex = mesh.apex(h);
+    mesh.crossings.push_back(
+        {edge.apex.x / edge.length,
+         edge.apex.y / edge.length,
+         edge.length,
+         apex,
+         {mesh.opposite(previous_in_triangle(h)), mesh.opposite(next_in_triangle(h))},
+         mesh.is_saddle(apex),
+         mesh.is_thin[triangle_of(h)] != 0});
+  }
+}
+
 }  // namespace detail
 
 /// The halfedges of `surface`, which must be closed, oriented, edge- and vertex-manifold (several
@@ -243,6 +302,8 @@ inline HalfedgeMesh make_halfedge_mesh(const TriangleSurface& surface) {
   detail::match_opposites(mesh);
   detail::lay_flat(mesh);
   detail::measure_angles(mesh);
+  detail::list_fans(mesh);
+  detail::list_crossings(mesh);
   return mesh;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/landmarks.h"
 #include "vcg_ext/geodesics/surface_place.h"
+#include "vcg_ext/geodesics/trail.h"
 #include "vcg_ext/geodesics/window.h"
 
 namespace mgf {
@@ -32,9 +35,9 @@ class SearchTargets {
  public:
   struct Target {
     SurfacePlace place;
-    double bound = 0.0;  ///< paths longer than this don't matter
     double distance = std::numeric_limits<double>::infinity();  ///< of the best arrival
-    Index window = kNone, root = kNone;                         ///< that it came from
+    Index root = kNone;                                         ///< that it came from,
+    Trail trail;                                                ///< and how
     Index next = kNone;  ///< the next target at the same vertex or in the same triangle
   };
 
@@ -51,14 +54,18 @@ class SearchTargets {
   void assign(const std::vector<PropagationTarget>& targets) {
     for (const Target& target : targets_) slot_of(target.place) = kNone;
     targets_.clear();
+    aims_.clear();
+    rests_.clear();
+    has_any_in_triangles_ = false;
     for (const PropagationTarget& asked : targets) {
       Target target;
       target.place = asked.place;
-      target.bound = asked.limit;
+      aims_.push_back({asked.place.position, asked.limit});
       Index& slot = slot_of(asked.place);
       target.next = slot;
       slot = to_index(targets_.size());
       targets_.push_back(target);
+      has_any_in_triangles_ = has_any_in_triangles_ || asked.place.vertex == kNone;
     }
     refresh_reach();
     measure_from_landmarks();
@@ -67,50 +74,60 @@ class SearchTargets {
   const Target& operator[](std::size_t i) const { return targets_[i]; }
   /// The first target at vertex v, or kNone; the others follow by `next`.
   Index first_at_vertex(Index v) const { return at_vertex_[v]; }
-  /// The same in triangle t.
+  /// Whether any target lies in a triangle.
+  bool has_any_in_triangles() const { return has_any_in_triangles_; }
+  /// The first target in triangle t, likewise.
   Index first_in_triangle(Index t) const { return in_triangle_[t]; }
   /// No path longer than this matters.
   double reach() const { return reach_ + tolerance_; }
 
-  /// A path of length `distance` ends in target i, out of `window` (or straight out of `root`).
-  void arrive(Index i, double distance, Index window, Index root) {
+  /// A path of length `distance` ends in target i, out of `root` along `trail` (straight, if that
+  /// has no first edge).
+  void arrive(Index i, double distance, Index root, const Trail& trail) {
     Target& target = targets_[i];
     if (!(distance < target.distance)) return;
     target.distance = distance;
-    target.window = window;
     target.root = root;
-    if (distance < target.bound) {
-      target.bound = distance;
+    target.trail = trail;
+    if (distance < aims_[i].bound) {
+      aims_[i].bound = distance;
       refresh_reach();
     }
   }
 
-  /// No path to vertex v that is longer than this matters. Between two points it differs by no more
-  /// than the way from one to the other.
-  double rest(Index v) const {
-    double longest = -kInfinity;
-    for (const Target& target : targets_) {
-      longest = std::max(longest, target.bound - (target.place.position - mesh_.points[v]).norm());
+  /// Works out for each target how long a path to vertex v may be and still matter to it. Between
+  /// two points that differs by no more than the way from one to the other. Returns where these
+  /// numbers are kept until the next search; `most` is the largest.
+  Index rests(Index v, double& most) {
+    const Index first = to_index(rests_.size());
+    rests_.resize(rests_.size() + aims_.size());
+    most = -kInfinity;
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      double rest = aims_[i].bound - (aims_[i].position - mesh_.points[v]).norm();
+      if (!from_landmarks_.empty()) rest = std::min(rest, rest_by_landmarks(i, v));
+      rests_[first + i] = rest + tolerance_;
+      most = std::max(most, rest + tolerance_);
     }
-    for (std::size_t i = 0; i < from_landmarks_.size(); ++i) {
-      const double distance = landmarks_->distance[i][v];
-      longest = std::min(longest, std::min(from_landmarks_[i].outward - distance,
-                                           from_landmarks_[i].inward + distance));
-    }
-    return longest + tolerance_;
+    return first;
   }
 
-  /// Whether a path through a window, wherever it passes it, can still matter.
-  bool matters(const Window& w) const {
-    const Vec3& tail = mesh_.points[mesh_.tail(w.halfedge)];
-    const Vec3 axis =
-        (mesh_.points[mesh_.head(w.halfedge)] - tail) * (1.0 / mesh_.halfedges[w.halfedge].length);
-    return std::any_of(targets_.begin(), targets_.end(), [&](const Target& target) {
-      // Turn the target about the edge's line until it lies flat beyond the edge.
-      const Vec3 arm = target.place.position - tail;
-      const Vec2 place{axis.dot(arm), axis.cross(arm).norm()};
-      return is_within(w, place, target.bound + tolerance_);
-    });
+  /// Whether a path through a window, wherever it passes it, can still matter. `interval` is the
+  /// window's, `offset` the distance of its root from the start.
+  bool matters(const Window& window, const WindowInterval& interval, double offset) const {
+    const UnfoldedCorner& tail = window.ends[Window::kTail];
+    const UnfoldedCorner& head = window.ends[Window::kHead];
+    const double length = mesh_.crossings[window.halfedge].length;
+    // From the far end of the window, what is left beyond an end of the edge is least.
+    const double by_tail = offset + std::sqrt(interval.right_square) - interval.right * length;
+    const double by_head =
+        offset + std::sqrt(interval.left_square) - (1.0 - interval.left) * length;
+    const EdgeInSpace edge(mesh_, window);
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+      if (std::min(rests_[tail.rests + i] - by_tail, rests_[head.rests + i] - by_head) < 0.0)
+        continue;
+      if (is_within(window, interval, edge, aims_[i], offset)) return true;
+    }
+    return false;
   }
 
  private:
@@ -119,60 +136,97 @@ class SearchTargets {
   }
 
   void refresh_reach() {
-    reach_ = targets_.empty() ? kInfinity : 0.0;
-    for (const Target& target : targets_) reach_ = std::max(reach_, target.bound);
+    reach_ = aims_.empty() ? kInfinity : 0.0;
+    for (const Aim& aim : aims_) reach_ = std::max(reach_, aim.bound);
   }
 
   /// A path of length l to a point at distance d of a landmark has at least |d - d'| to go to a
-  /// target at d': it matters only if l <= bound + d' - d and l <= bound - d' + d for some target.
+  /// target at d': it matters only if l <= bound + d' - d and l <= bound - d' + d.
   void measure_from_landmarks() {
     from_landmarks_.clear();
     if (landmarks_ == nullptr) return;
     const double rounding = kLandmarkRounding * mesh_.mean_edge;
-    for (const std::vector<double>& row : landmarks_->distance) {
-      FromLandmark from;
-      for (const Target& target : targets_) {
-        const DistanceRange range = distance_of_place(mesh_, row, target.place);
-        from.outward = std::max(from.outward, target.bound + range.most + rounding);
-        from.inward = std::max(from.inward, target.bound - range.least + rounding);
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
+      for (const std::vector<double>& row : landmarks_->distance) {
+        const DistanceRange range = distance_of_place(mesh_, row, targets_[i].place);
+        from_landmarks_.push_back(
+            {aims_[i].bound + range.most + rounding, aims_[i].bound - range.least + rounding});
       }
-      from_landmarks_.push_back(from);
     }
   }
 
-  /// Whether the shortest way from w's source through w to `place`, which is straight or bends at
-  /// an end of w, is at most `bound` long.
-  static bool is_within(const Window& w, Vec2 place, double bound) {
-    const Vec2 beam = place - w.source;
-    Vec2 rest = beam;
-    double left_over = bound - w.offset;
-    if (cross(w.to_left(), beam) > 0.0) {
-      rest = place - Vec2{w.left, 0.0};
-      left_over = bound - w.left_distance;
-    } else if (cross(w.to_right(), beam) < 0.0) {
-      rest = place - Vec2{w.right, 0.0};
-      left_over = bound - w.right_distance;
+  /// What landmarks say of how long a path to v may be and still matter to target i.
+  double rest_by_landmarks(std::size_t i, Index v) const {
+    const std::size_t count = landmarks_->distance.size();
+    double rest = kInfinity;
+    for (std::size_t k = 0; k < count; ++k) {
+      const FromLandmark& from = from_landmarks_[i * count + k];
+      const double distance = landmarks_->distance[k][v];
+      rest = std::min({rest, from.outward - distance, from.inward + distance});
     }
-    return left_over >= 0.0 && dot(rest, rest) <= left_over * left_over;
+    return rest;
+  }
+
+  /// A window's edge in space, to turn targets about it.
+  struct EdgeInSpace {
+    EdgeInSpace(const HalfedgeMesh& mesh, const Window& window)
+        : tail(mesh.points[window.ends[Window::kTail].vertex]),
+          span(mesh.points[window.ends[Window::kHead].vertex] - tail),
+          inverse_square(1.0 / square(mesh.crossings[window.halfedge].length)) {}
+
+    Vec3 tail, span;
+    double inverse_square;  ///< of its length
+  };
+
+  /// What searches need of a target all the time.
+  struct Aim {
+    Vec3 position;
+    double bound;  ///< paths longer than this don't matter
+  };
+
+  static double square(double x) { return x * x; }
+
+  /// Whether the shortest way from the root through the window to a target, which is straight or
+  /// bends at an end of the window, is at most as long as the target's bound.
+  bool is_within(const Window& window, const WindowInterval& interval, const EdgeInSpace& edge,
+                 const Aim& aim, double offset) const {
+    const double allowed = aim.bound + tolerance_ - offset;
+    // Turn the target about the edge's line until it lies flat beyond the edge.
+    const Vec3 arm = aim.position - edge.tail;
+    const Vec2 place =
+        place_beside(window.ends[Window::kTail].place, window.ends[Window::kHead].place,
+                     edge.span.dot(arm) * edge.inverse_square,
+                     edge.span.cross(arm).norm() * edge.inverse_square);
+    if (!(allowed >= 0.0) || dot(place, place) > allowed * allowed) return false;
+    if (cross(window.left_ray, place) > 0.0) {
+      return !(std::sqrt(interval.left_square) + norm(place - interval.left_place) > allowed);
+    }
+    if (cross(window.right_ray, place) < 0.0) {
+      return !(std::sqrt(interval.right_square) + norm(place - interval.right_place) > allowed);
+    }
+    return true;
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr double kLandmarkRounding = 1e-6;  ///< of the mean edge; distances are far better
 
-  /// What a landmark says of the targets; see measure_from_landmarks.
+  /// What a landmark says of a target; see measure_from_landmarks.
   struct FromLandmark {
-    double outward = -kInfinity;
-    double inward = -kInfinity;
+    double outward;
+    double inward;
   };
 
   const HalfedgeMesh& mesh_;
   double tolerance_;
   const Landmarks* landmarks_;
-  std::vector<FromLandmark> from_landmarks_;  ///< one per landmark
+  std::vector<FromLandmark> from_landmarks_;  ///< a row per target, of one per landmark
   std::vector<Target> targets_;
+  std::vector<Aim> aims_;           ///< one per target
   std::vector<Index> at_vertex_;    ///< one per vertex: the first target at it, or kNone
   std::vector<Index> in_triangle_;  ///< one per triangle: the first target in it, or kNone
   double reach_ = 0.0;
+  std::vector<double> rests_;  ///< of the vertices asked for, one per target each
+  bool has_any_in_triangles_ = false;
 };
 
 }  // namespace mgf

@@ -5,20 +5,29 @@
 // A root is a point that paths start from: the start, or a saddle that they bend at. The shadow of
 // a saddle is the part of its fan that a path may leave into with at least a half turn on both
 // sides.
+//
+// A window is followed through triangle after triangle in the frame of its root, up to the end of
+// the band of distances that the search has come to; what goes on beyond waits for its band. So
+// saddles are left in the order of their distances, and what is in use at a time is small.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
-#include "vcg_ext/geodesics/bucket_queue.h"
 #include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/landmarks.h"
 #include "vcg_ext/geodesics/search_targets.h"
 #include "vcg_ext/geodesics/surface_place.h"
+#include "vcg_ext/geodesics/trail.h"
+#include "vcg_ext/geodesics/unfolded_strip.h"
 #include "vcg_ext/geodesics/window.h"
 
 namespace mgf {
@@ -30,8 +39,8 @@ struct PropagationPruning {
   bool ellipse = true;         ///< drop windows too far off to matter to any target
 };
 
-/// The workspace of window propagation on one mesh; one per thread. Memory grows with the number
-/// of windows of the largest search, 2^24 at most.
+/// The workspace of window propagation on one mesh; one per thread. Memory: some numbers per vertex
+/// and triangle, and what waits of the largest search.
 class WindowPropagation {
  public:
   /// `landmarks`: on this mesh, or nullptr; they may be filled in between two searches.
@@ -41,7 +50,6 @@ class WindowPropagation {
         pruning_(pruning),
         tolerance_(1e-10 * mesh.mean_edge),
         targets_(mesh, tolerance_, landmarks),
-        queue_(0.5 * mesh.mean_edge),
         states_(mesh.vertex_count()),
         most_windows_(
             std::min(kMostWindows, kSpareWindows + kWindowsPerTriangle * mesh.triangle_count())) {}
@@ -52,13 +60,16 @@ class WindowPropagation {
   /// bounds.
   bool run(const SurfacePlace& start, const std::vector<PropagationTarget>& targets) {
     begin(targets);
+    start_ = start;
+    roots_.push_back({0.0, 0.0, start.vertex, kNone, {}});
     if (start.vertex != kNone) {
-      add_root(start.vertex, 0.0, kNone, kNone, 0.0);
+      lower_bound_at(start.vertex, 0.0);
+      spread(0);
     } else {
-      roots_.push_back({0.0, 0.0, kNone, kNone, kNone});
-      spread_in_triangle(start);
+      spread_in_triangle();
     }
-    return drain();
+    drain();
+    return window_count_ <= most_windows_;
   }
 
   /// From now on keeps to the triangles t with allowed[t] != 0; nullptr allows all. What is found
@@ -80,26 +91,11 @@ class WindowPropagation {
   /// An end that is no vertex is kNone.
   std::vector<PathPiece> pieces(std::size_t i) const {
     std::vector<PathPiece> path;
-    const SurfacePlace& target = targets_[i].place;
-    Index vertex = target.vertex;
-    Index window = targets_[i].window;
-    Index root = targets_[i].root;
-    while (true) {
-      PathPiece piece;
-      piece.from = roots_[root].vertex;
-      piece.to = vertex;
-      if (window != kNone) {
-        const Index last = windows_[window].halfedge;
-        trace_back(
-            window,
-            vertex != kNone ? mesh_.halfedges[last].apex : in_frame_of(mesh_, last, target.at),
-            piece);
-      }
-      vertex = piece.from;
-      path.push_back(std::move(piece));
-      if (roots_[root].parent_root == kNone) break;
-      window = roots_[root].parent_window;
-      root = roots_[root].parent_root;
+    const SearchTargets::Target& target = targets_[i];
+    path.push_back(piece_to(target.place, target.root, target.trail));
+    for (Index root = target.root; roots_[root].parent != kNone; root = roots_[root].parent) {
+      const Root& bend = roots_[root];
+      path.push_back(piece_to(place_of_vertex(mesh_, bend.vertex), bend.parent, bend.trail));
     }
     std::reverse(path.begin(), path.end());
     return path;
@@ -108,82 +104,70 @@ class WindowPropagation {
   /// Whether the last run came through a triangle that is too thin to be certain of.
   bool met_thin_triangle() const { return met_thin_triangle_; }
 
-  /// How many windows the last run made.
-  std::size_t window_count() const { return windows_.size(); }
+  /// How many windows the last run followed across a triangle.
+  std::size_t window_count() const { return window_count_; }
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   static constexpr double kAngleSlack = 1e-8;  ///< rounding of a ray's direction, made good at
                                                ///< second order: lengths err by its square
-  static constexpr Index kRootFlag = Index{1} << 31U;
   /// A search that needs more windows ends as incomplete. Sound ones have about ten an edge; where
   /// rounding makes a heap of saddles of one point, there is no end to them.
   static constexpr std::size_t kMostWindows = std::size_t{1} << 24U;
   static constexpr std::size_t kSpareWindows = std::size_t{1} << 17U;
   static constexpr std::size_t kWindowsPerTriangle = 300;
+  static constexpr double kBandWidth = 16.0;  ///< in mean edges
+  static constexpr double kMostBands = 1e8;
 
+  /// Where paths start from, with the way there.
   struct Root {
-    double offset;
+    double offset;   ///< its distance from the start
     double arrival;  ///< direction to where the path came from, about the vertex
-    Index vertex, parent_window, parent_root;
+    Index vertex, parent;
+    Trail trail;
   };
-  /// A directed edge as its windows need it.
-  struct Edge {
-    Index tail, head;
-    double length;
-  };
+  using SaddleEntry = std::pair<double, Index>;  ///< distance and number
+  using SaddleQueue =
+      std::priority_queue<SaddleEntry, std::vector<SaddleEntry>, std::greater<SaddleEntry>>;
   /// What the search knows of a vertex.
   struct VertexState {
     double bound = kInfinity;  ///< length of some path from the start
-    double rest = kInfinity;   ///< see SearchTargets::rest; infinity if not yet asked
+    double rest = kInfinity;   ///< the most of its rests; infinity if not yet asked
+    Index rests = 0;           ///< see SearchTargets::rests
     Index last_root = kNone;   ///< the last root put there
   };
-
-  /// Adds the edges that the straight way through a window to `aim`, in its edge's frame, has
-  /// crossed.
-  void trace_back(Index window, Vec2 aim, PathPiece& piece) const {
-    for (Index id = window; id != kNone; id = windows_[id].parent) {
-      const Window& w = windows_[id];
-      const double share = w.passage_to(aim) / mesh_.halfedges[w.halfedge].length;
-      piece.crossed.push_back(w.halfedge);
-      piece.points.push_back(mesh_.points[mesh_.tail(w.halfedge)] * (1.0 - share) +
-                             mesh_.points[mesh_.head(w.halfedge)] * share);
-      if (w.parent == kNone) break;
-      // That point, as the window before it sees it, on one of the far sides of its triangle.
-      const Index before = windows_[w.parent].halfedge;
-      const Halfedge& edge = mesh_.halfedges[before];
-      const bool is_right = mesh_.opposite(w.halfedge) == next_in_triangle(before);
-      const Vec2 tail = is_right ? edge.apex : Vec2{0.0, 0.0};
-      const Vec2 head = is_right ? Vec2{edge.length, 0.0} : edge.apex;
-      aim = {tail.x + (head.x - tail.x) * share, tail.y + (head.y - tail.y) * share};
-    }
-    std::reverse(piece.crossed.begin(), piece.crossed.end());
-    std::reverse(piece.points.begin(), piece.points.end());
-  }
 
   double padded(double bound) const { return bound + tolerance_; }
 
   void begin(const std::vector<PropagationTarget>& targets) {
     for (const Index v : touched_) states_[v] = {};
     touched_.clear();
-    queue_.clear();
-    windows_.clear();
     roots_.clear();
+    trails_.clear();
+    saddles_.clear();
+    queue_ = {};
+    for (std::vector<Window>& band : bands_) band.clear();
+    band_ = 0;
+    last_band_ = 0;
     targets_.assign(targets);
     for (const PropagationTarget& target : targets) {
       if (target.place.vertex != kNone) lower_bound_at(target.place.vertex, target.known);
     }
     met_thin_triangle_ = false;
+    window_count_ = 0;
   }
 
   /// The longest that a path to v may be and still matter.
   double rest_at(Index v) {
-    double& rest = states_[v].rest;
-    if (rest == kInfinity) {
-      rest = targets_.rest(v);
-      touched_.push_back(v);
-    }
-    return rest;
+    const double rest = states_[v].rest;
+    return rest == kInfinity && pruning_.ellipse ? ask_rest(v) : rest;
+  }
+
+  double ask_rest(Index v) {
+    touched_.push_back(v);
+    VertexState& state = states_[v];
+    state.rests = targets_.rests(v, state.rest);
+    return state.rest;
   }
 
   void lower_bound_at(Index v, double distance) {
@@ -193,36 +177,40 @@ class WindowPropagation {
     bound = distance;
   }
 
-  bool drain() {
-    for (Index entry = queue_.pop(targets_.reach()); entry != kNone;
-         entry = queue_.pop(targets_.reach())) {
-      if ((entry & kRootFlag) != 0) {
-        spread(entry & ~kRootFlag);
-      } else {
-        propagate(entry);
+  // ---- bands ----
+
+  double band_width() const { return kBandWidth * mesh_.mean_edge; }
+  double end_of_band() const { return band_width() * static_cast<double>(band_ + 1); }
+
+  void drain() {
+    for (band_ = 0; band_ <= last_band_ || !queue_.empty(); ++band_) {
+      if (band_ < bands_.size()) {
+        entering_.swap(bands_[band_]);
+        for (Window& window : entering_) {
+          if (is_stale(roots_[window.root])) continue;
+          look_from(window.root);
+          follow(window);
+        }
+        entering_.clear();
       }
-      if (windows_.size() > most_windows_) return false;
+      while (!queue_.empty() && queue_.top().first <= end_of_band()) leave_saddle();
+      if (is_given_up()) return;
     }
-    return true;
   }
 
-  // ---- arrivals at vertices ----
+  bool is_given_up() const { return window_count_ > most_windows_; }
 
-  /// A path of length `distance` reaches v, seen from v in the direction that `arrival()` says.
-  template <class Direction>
-  void arrive(Index v, double distance, Index window, Index root, const Direction& arrival) {
-    lower_bound_at(v, distance);
-    for (Index i = targets_.first_at_vertex(v); i != kNone; i = targets_[i].next) {
-      targets_.arrive(i, distance, window, root);
-    }
-    if (distance > padded(states_[v].bound) || !mesh_.is_saddle(v)) return;
-    const double direction = arrival();
-    const Index last = states_[v].last_root;
-    if (last != kNone && roots_[last].offset <= padded(distance) &&
-        std::abs(roots_[last].arrival - direction) < 1e-9) {
+  /// Keeps a window for the band that its nearest point lies in.
+  void let_wait(const Window& window, double nearest) {
+    const double position = nearest / band_width();
+    if (!(position <= kMostBands)) {
+      window_count_ = most_windows_ + 1;
       return;
     }
-    add_root(v, distance, window, root, direction);
+    const std::size_t band = std::max(band_ + 1, static_cast<std::size_t>(position));
+    if (band >= bands_.size()) bands_.resize(band + 1);
+    bands_[band].push_back(window);
+    last_band_ = std::max(last_band_, band);
   }
 
   /// Whether a shorter path to the root has turned up since.
@@ -230,223 +218,299 @@ class WindowPropagation {
     return root.vertex != kNone && root.offset > padded(states_[root.vertex].bound);
   }
 
-  void add_root(Index v, double offset, Index window, Index root, double arrival) {
-    if (root != kNone && pruning_.ellipse && offset > rest_at(v)) return;
-    const Index added = to_index(roots_.size());
-    roots_.push_back({offset, arrival, v, window, root});
-    lower_bound_at(v, offset);
-    states_[v].last_root = added;
-    if (offset <= targets_.reach()) queue_.push(offset, added | kRootFlag);
+  // ---- arrivals at vertices ----
+
+  /// A path of length `distance` reaches v out of `root`, seen from v in the direction that
+  /// `arrival()` says.
+  template <class Direction>
+  void arrive(Index v, double distance, Index root, const Trail& trail, const Direction& arrival) {
+    lower_bound_at(v, distance);
+    for (Index i = targets_.first_at_vertex(v); i != kNone; i = targets_[i].next) {
+      targets_.arrive(i, distance, root, trail);
+    }
+    if (distance > padded(states_[v].bound) || !mesh_.is_saddle(v) || distance > rest_at(v)) return;
+    queue_.emplace(distance, to_index(saddles_.size()));
+    saddles_.push_back({distance, arrival(), v, root, trail});
+  }
+
+  /// Goes on from the nearest saddle.
+  void leave_saddle() {
+    const Root& saddle = saddles_[queue_.top().second];
+    queue_.pop();
+    if (is_stale(saddle) || saddle.offset > rest_at(saddle.vertex)) return;
+    Index& last = states_[saddle.vertex].last_root;
+    if (last != kNone && std::abs(roots_[last].arrival - saddle.arrival) < 1e-9 &&
+        roots_[last].offset <= padded(saddle.offset)) {
+      return;
+    }
+    last = to_index(roots_.size());
+    roots_.push_back(saddle);
+    spread(last);
   }
 
   // ---- windows out of a root ----
 
   void spread(Index root) {
-    const Root at = roots_[root];  // a copy: arrivals add roots
-    if (is_stale(at)) return;
-    const bool is_start = at.parent_root == kNone;
+    look_from(root);
+    const Root at = roots_[root];
     const double turn = mesh_.total_angle[at.vertex];
     double from = 0.0;
-    double width = turn;
-    if (!is_start && pruning_.clip_shadows) {
+    double to = turn;
+    if (at.parent != kNone && pruning_.clip_shadows) {
       from = std::fmod(at.arrival + kPi - kAngleSlack, turn);
-      width = turn - 2.0 * kPi + 2.0 * kAngleSlack;
+      to = from + turn - 2.0 * kPi + 2.0 * kAngleSlack;
     }
-    const Index first = mesh_.outgoing[at.vertex];
-    Index h = first;
-    do {
-      const Index next = mesh_.rotated(h);
-      const double corner = (next == first ? turn : mesh_.direction[next]) - mesh_.direction[h];
-      spread_into(root, h, corner, from, width);
-      spread_into(root, h, corner, from - turn, width);
-      h = next;
-    } while (h != first);
+    const Row<Index> fan = mesh_.fans[at.vertex];
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      const Index h = fan[i];
+      const double low = mesh_.direction[h];
+      const double high = i + 1 < fan.size() ? mesh_.direction[fan[i + 1]] : turn;
+      if (from <= high && to >= low) spread_into(root, h, high - low, from - low, to - low);
+      if (to - turn >= low) spread_into(root, h, high - low, from - turn - low, to - turn - low);
+    }
   }
 
-  /// The part of the directions [from, from + width] that lies in the corner, `corner` wide, at the
+  /// The part of the directions [from, to] from h that lies in the corner, `corner` wide, at the
   /// tail of h.
-  void spread_into(Index root, Index h, double corner, double from, double width) {
-    const double low = std::max(from - mesh_.direction[h], 0.0);
-    const double high = std::min(from + width - mesh_.direction[h], corner);
+  void spread_into(Index root, Index h, double corner, double from, double to) {
+    const double low = std::max(from, 0.0);
+    const double high = std::min(to, corner);
     if (low > high) return;
-    const double offset = roots_[root].offset;
+    const Halfedge& edge = mesh_.halfedges[h];
     if (low <= 0.0) {  // along the edge itself
-      arrive(mesh_.head(h), offset + mesh_.halfedges[h].length, kNone, root,
+      arrive(mesh_.head(h), offset_ + edge.length, root, {},
              [&] { return mesh_.direction[mesh_.opposite(h)]; });
     }
     for (Index i = targets_.first_in_triangle(triangle_of(h)); i != kNone; i = targets_[i].next) {
       const Vec2 place = in_frame_of(mesh_, h, targets_[i].place.at);
       const double angle = std::atan2(place.y, place.x);
       if (angle >= low - kAngleSlack && angle <= high + kAngleSlack) {
-        targets_.arrive(i, offset + norm(place), kNone, root);
+        targets_.arrive(i, offset_ + norm(place), root, {});
       }
     }
-    const Index far = next_in_triangle(h);
-    const Halfedge& side = mesh_.halfedges[far];
-    Window w;
-    w.left = high >= corner ? 0.0 : side.length - opposite_position(h, high);
-    w.right = low <= 0.0 ? side.length : side.length - opposite_position(h, low);
-    w.source = {side.length - side.apex.x, -side.apex.y};
-    w.offset = offset;
-    w.halfedge = side.opposite;
-    w.root = root;
-    w.measure_ends();
-    note_triangle(far);
-    add_window(w, {mesh_.head(far), side.tail, side.length});
-  }
-
-  /// Where the ray at `angle` from h out of its tail meets the side opposite, from h's head.
-  double opposite_position(Index h, double angle) const {
-    const Halfedge& side = mesh_.halfedges[h];
-    const Vec2 ray{std::cos(angle), std::sin(angle)};
-    const Vec2 base{side.length, 0.0};
-    const Vec2 far = side.apex - base;
-    const double along = -cross(ray, base) / cross(ray, far);
-    return std::clamp(along, 0.0, 1.0) * norm(far);
+    const Vec2 left_ray = high < corner ? Vec2{std::cos(high), std::sin(high)} : edge.apex;
+    const Vec2 right_ray = low > 0.0 ? Vec2{std::cos(low), std::sin(low)} : Vec2{edge.length, 0.0};
+    met_thin_triangle_ |= mesh_.crossings[h].is_thin;
+    open_window(root, mesh_.crossings[h].beyond[kRight], left_ray, right_ray);
   }
 
   /// All that the start in its triangle sees there.
-  void spread_in_triangle(const SurfacePlace& start) {
+  void spread_in_triangle() {
     constexpr Index kStart = 0;
-    for (Index i = targets_.first_in_triangle(start.triangle); i != kNone; i = targets_[i].next) {
-      targets_.arrive(i, norm(targets_[i].place.at - start.at), kNone, kStart);
+    look_from(kStart);
+    for (Index i = targets_.first_in_triangle(start_.triangle); i != kNone; i = targets_[i].next) {
+      targets_.arrive(i, norm(targets_[i].place.at - start_.at), kStart, {});
     }
-    for (Index h = 3 * start.triangle; h < 3 * start.triangle + 3; ++h) {
-      const Vec2 at = in_frame_of(mesh_, h, start.at);
-      arrive(mesh_.tail(h), norm(at), kNone, kStart,
+    for (Index h = 3 * start_.triangle; h < 3 * start_.triangle + 3; ++h) {
+      const Vec2 at = in_frame_of(mesh_, h, start_.at);
+      arrive(mesh_.tail(h), norm(at), kStart, {},
              [&] { return mesh_.direction[h] + std::atan2(at.y, at.x); });
+      met_thin_triangle_ |= mesh_.crossings[h].is_thin;
     }
-    for (Index h = 3 * start.triangle; h < 3 * start.triangle + 3; ++h) {
-      const Vec2 at = in_frame_of(mesh_, h, start.at);
-      Window w;
-      w.right = mesh_.halfedges[h].length;
-      w.source = {w.right - at.x, std::min(0.0, -at.y)};
-      w.halfedge = mesh_.opposite(h);
-      w.root = kStart;
-      w.measure_ends();
-      note_triangle(h);
-      add_window(w, {mesh_.head(h), mesh_.tail(h), w.right});
+    for (Index h = 3 * start_.triangle; h < 3 * start_.triangle + 3; ++h) {
+      const Index first = mesh_.opposite(h);
+      const EdgePlaces edge = places_of_first(kStart, first);
+      open_window(kStart, first, edge.tail, edge.head);
     }
   }
 
-  // ---- windows across a triangle ----
-
-  void note_triangle(Index h) {
-    met_thin_triangle_ = met_thin_triangle_ || mesh_.is_thin[triangle_of(h)] != 0;
+  /// The paths of a root through its first edge, between two rays.
+  void open_window(Index root, Index first, Vec2 left_ray, Vec2 right_ray) {
+    Window w;
+    w.left_ray = left_ray;
+    w.right_ray = right_ray;
+    w.trail.first = first;
+    w.halfedge = first;
+    w.root = root;
+    const EdgePlaces edge = places_of_first(root, first);
+    set_corner(mesh_.tail(first), edge.tail, cross(left_ray, edge.tail),
+               cross(right_ray, edge.tail), w.ends[Window::kTail]);
+    set_corner(mesh_.head(first), edge.head, cross(left_ray, edge.head),
+               cross(right_ray, edge.head), w.ends[Window::kHead]);
+    if (is_useful(w)) follow(w);
   }
 
-  void propagate(Index id) {
-    make_room(2);  // for the children, so that w stays where it is
-    const Window& w = windows_[id];
-    const Index h = w.halfedge;
-    const Index left_side = previous_in_triangle(h);
-    const Index right_side = next_in_triangle(h);
-    const Index tail = mesh_.tail(h);
-    const Index head = mesh_.tail(right_side);
-    const Index apex = mesh_.tail(left_side);
-    const Edge edge{tail, head, mesh_.halfedges[h].length};
-    if (is_stale(roots_[w.root]) || is_dominated(w, edge)) return;
-    note_triangle(h);
-    lower_bound_at(apex, std::min(states_[tail].bound + mesh_.halfedges[left_side].length,
-                                  states_[head].bound + mesh_.halfedges[right_side].length));
+  /// Where the first edge behind a root lies in its frame.
+  EdgePlaces places_of_first(Index root, Index first) const {
+    return roots_[root].vertex != kNone ? places_from_vertex(mesh_, first)
+                                        : places_from_triangle(mesh_, first, start_);
+  }
 
-    const WindowCrossing crossing(mesh_, w);
-    if (crossing.sees_apex(kAngleSlack)) {
-      arrive(apex, crossing.apex_distance(), id, w.root,
-             [&] { return mesh_.direction[left_side] + crossing.arrival_at_apex(); });
+  // ---- windows across triangles ----
+
+  /// Written in place: to copy what was just written stalls the processor.
+  void set_corner(Index v, Vec2 place, double past_left, double past_right,
+                  UnfoldedCorner& corner) {
+    corner.place.x = place.x;
+    corner.place.y = place.y;
+    corner.past_left = past_left;
+    corner.past_right = past_right;
+    corner.rest = rest_at(v) - offset_;
+    const double detour = pruning_.vertex_filters ? padded(states_[v].bound) - offset_ : kInfinity;
+    corner.limit = std::min(corner.rest, detour);
+    corner.rests = states_[v].rests;
+    corner.vertex = v;
+  }
+
+  /// Follows a window, and what parts from it, to the end of the band.
+  void follow(Window& w) {
+    while (true) {
+      while (cross_triangle(w)) {
+      }
+      if (parted_.empty()) return;
+      w = parted_.back();
+      parted_.pop_back();
     }
-    for (Index i = targets_.first_in_triangle(triangle_of(h)); i != kNone; i = targets_[i].next) {
-      double distance = 0.0;
-      if (crossing.sees(in_frame_of(mesh_, h, targets_[i].place.at), kAngleSlack, distance)) {
-        targets_.arrive(i, w.offset + distance, id, w.root);
+  }
+
+  /// Looks from a root from now on.
+  void look_from(Index root) {
+    offset_ = roots_[root].offset;
+    horizon_square_ = signed_square(end_of_band() - offset_);
+  }
+
+  /// Carries a window on across its triangle. Returns whether to go on with it; if it parts, its
+  /// right half goes to `parted_`.
+  bool cross_triangle(Window& w) {
+    if (++window_count_ > most_windows_) return false;
+    const Crossing& crossing = mesh_.crossings[w.halfedge];
+    if (allowed_ != nullptr && (*allowed_)[triangle_of(w.halfedge)] == 0) return false;
+    met_thin_triangle_ |= crossing.is_thin;
+    if (targets_.has_any_in_triangles()) look_for_targets(w);
+
+    const Vec2 apex = w.apex_place(crossing);
+    const double past_left = cross(w.left_ray, apex);
+    const double past_right = cross(w.right_ray, apex);
+    // Which side to take is as good as random: no branch for it.
+    if (std::max(past_left, -past_right) < 0.0) {
+      arrive_at(apex, crossing, w);
+      return part(w, crossing, apex, past_left, past_right);
+    }
+    if (is_among_rays(w, apex, past_left, past_right)) arrive_at(apex, crossing, w);
+    const Side side = past_left >= 0.0 ? kRight : kLeft;
+    set_corner(crossing.apex, apex, past_left, past_right, w.ends[1 - side]);
+    w.halfedge = crossing.beyond[side];
+    trails_.turn(side, w.trail);
+    return is_useful(w);
+  }
+
+  /// The apex lies between the rays: some pass it on the left, some on the right.
+  bool part(Window& w, const Crossing& crossing, Vec2 apex, double past_left, double past_right) {
+    parted_.push_back(w);
+    Window& right = parted_.back();
+    right.left_ray = apex;
+    right.ends[Window::kHead].past_left = cross(apex, w.ends[Window::kHead].place);
+    set_corner(crossing.apex, apex, 0.0, past_right, right.ends[Window::kTail]);
+    right.halfedge = crossing.beyond[kRight];
+    trails_.turn(kRight, right.trail);
+    if (!is_useful(right)) parted_.pop_back();
+
+    w.right_ray = apex;
+    w.ends[Window::kTail].past_right = cross(apex, w.ends[Window::kTail].place);
+    set_corner(crossing.apex, apex, past_left, 0.0, w.ends[Window::kHead]);
+    w.halfedge = crossing.beyond[kLeft];
+    trails_.turn(kLeft, w.trail);
+    return is_useful(w);
+  }
+
+  /// A window sees the apex of its triangle.
+  void arrive_at(Vec2 apex, const Crossing& crossing, const Window& w) {
+    arrive(crossing.apex, offset_ + norm(apex), w.root, w.trail, [&] {
+      const Vec2 down = w.ends[Window::kTail].place - apex;
+      const Vec2 back = -apex;
+      return mesh_.direction[mesh_.opposite(crossing.beyond[kLeft])] +
+             std::atan2(cross(down, back), dot(down, back));
+    });
+  }
+
+  /// Whether a place is among the rays, or beside them by less than the slack; `past_left` and
+  /// `past_right` are its cross products with them.
+  static bool is_among_rays(const Window& w, Vec2 place, double past_left, double past_right) {
+    const auto size = [](Vec2 p) { return std::abs(p.x) + std::abs(p.y); };
+    const double slack = kAngleSlack * size(place);
+    return std::max(past_left - slack * size(w.left_ray),
+                    -past_right - slack * size(w.right_ray)) <= 0.0;
+  }
+
+  /// What the window sees of the targets in its triangle.
+  void look_for_targets(const Window& w) {
+    for (Index i = targets_.first_in_triangle(triangle_of(w.halfedge)); i != kNone;
+         i = targets_[i].next) {
+      const EdgePlaces edge{w.ends[Window::kTail].place, w.ends[Window::kHead].place};
+      const Vec2 place = place_behind(mesh_, w.halfedge, edge, targets_[i].place);
+      if (is_among_rays(w, place, cross(w.left_ray, place), cross(w.right_ray, place))) {
+        targets_.arrive(i, offset_ + norm(place), w.root, w.trail);
       }
     }
-    // Each child's third vertex is the end of the old edge that is not its own. Children are made
-    // in place: to copy what was just written stalls the processor.
-    if (crossing.has_left_child()) {
-      const Halfedge& side = mesh_.halfedges[left_side];
-      crossing.make_left_child(id, windows_.emplace_back());
-      settle_last({tail, apex, side.length}, head, {side.length - side.apex.x, -side.apex.y}, true);
-    }
-    if (crossing.has_right_child()) {
-      const Halfedge& side = mesh_.halfedges[right_side];
-      crossing.make_right_child(id, windows_.emplace_back());
-      settle_last({apex, head, side.length}, tail, {side.length - side.apex.x, -side.apex.y},
-                  false);
-    }
   }
 
-  void make_room(std::size_t count) {
-    if (windows_.capacity() - windows_.size() < count)
-      windows_.reserve(2 * windows_.size() + count);
+  /// Whether a window can still matter; if only later, it is put to wait, and the answer is no.
+  bool is_useful(const Window& w) {
+    const WindowInterval interval(w);
+    if (interval.right - interval.left <= 1e-13) return false;
+    if (!can_matter(w, interval)) return false;
+    const double nearest_square = std::min(interval.left_square, interval.right_square);
+    if (!(nearest_square > horizon_square_)) return true;
+    const double width = (interval.right - interval.left) * mesh_.crossings[w.halfedge].length;
+    const double nearest = offset_ + std::sqrt(nearest_square) - 0.5 * width;
+    if (nearest <= targets_.reach()) let_wait(w, nearest);
+    return false;
   }
 
-  /// A window out of a root.
-  void add_window(const Window& w, const Edge& edge) {
-    windows_.push_back(w);
-    settle_last(edge, kNone, {}, true);
-  }
-
-  /// Queues the last window, or removes it if it is empty or can't matter. `third` is the vertex of
-  /// the triangle before it that is not on its edge (kNone at a root), at `third_place`; the rays
-  /// leave it on their right if `third_is_right`.
-  void settle_last(const Edge& edge, Index third, Vec2 third_place, bool third_is_right) {
-    const Window& w = windows_.back();
-    const double key = w.nearest();
-    if (key <= targets_.reach() && is_useful(w, edge, third, third_place, third_is_right)) {
-      queue_.push(key, to_index(windows_.size() - 1));
-    } else {
-      windows_.pop_back();
-    }
-  }
-
-  bool is_useful(const Window& w, const Edge& edge, Index third, Vec2 third_place,
-                 bool third_is_right) {
-    if (w.right - w.left <= 1e-13 * edge.length) return false;
-    if (allowed_ != nullptr && (*allowed_)[triangle_of(w.halfedge)] == 0) return false;
-    if (is_dominated(w, edge)) return false;
-    if (pruning_.vertex_filters && third != kNone) {
-      // The segment from the third vertex to the window's far end crosses all of its rays.
-      const Vec2 way = Vec2{third_is_right ? w.left : w.right, 0.0} - third_place;
-      const double rest =
-          (third_is_right ? w.left_distance : w.right_distance) - padded(states_[third].bound);
-      if (rest > 0.0 && dot(way, way) < rest * rest) return false;
-    }
-    return !pruning_.ellipse || matters(w, edge);
-  }
-
-  /// Whether a path through w can still matter. At its ends, vertices tell for most windows: what
-  /// is left from a point differs by no more than the way there.
-  bool matters(const Window& w, const Edge& edge) {
-    const double tail_rest = rest_at(edge.tail);
-    const double head_rest = rest_at(edge.head);
-    const double left_rest = edge.length - w.left;
-    if (w.left_distance + w.left <= tail_rest ||
-        w.right_distance + edge.length - w.right <= head_rest) {
-      return true;
-    }
-    if (w.right_distance - w.right > tail_rest || w.left_distance - left_rest > head_rest) {
+  /// Whether a path through a window can still matter. The ends of its edge tell for most: what is
+  /// left of a bound at a point, and the length of a way to it, differ between two points by no
+  /// more than the way from one to the other. From the far end of the window, an end of the edge is
+  /// a detour for none of its paths or for all.
+  bool can_matter(const Window& w, const WindowInterval& interval) {
+    const UnfoldedCorner& tail = w.ends[Window::kTail];
+    const UnfoldedCorner& head = w.ends[Window::kHead];
+    const double length = mesh_.crossings[w.halfedge].length;
+    const double left = interval.left * length;
+    const double right = interval.right * length;
+    if (std::max(interval.right_square - signed_square(tail.limit + right),
+                 interval.left_square - signed_square(head.limit + (length - left))) > 0.0) {
       return false;
     }
-    return targets_.matters(w);
+    return std::min(interval.left_square - signed_square(tail.rest - left),
+                    interval.right_square - signed_square(head.rest - (length - right))) <= 0.0 ||
+           !pruning_.ellipse || targets_.matters(w, interval, offset_);
   }
 
-  /// Whether a path from an end of the window's edge along it is shorter at all of the window.
-  bool is_dominated(const Window& w, const Edge& edge) const {
-    if (!pruning_.vertex_filters) return false;
-    return padded(states_[edge.tail].bound + w.right) < w.right_distance ||
-           padded(states_[edge.head].bound + edge.length - w.left) < w.left_distance;
+  /// To compare a length given by its square with one that may be negative.
+  static double signed_square(double x) { return x * std::abs(x); }
+  // ---- paths ----
+
+  /// The straight piece from a root along a trail to a place.
+  PathPiece piece_to(const SurfacePlace& place, Index root, const Trail& trail) const {
+    PathPiece piece;
+    piece.from = roots_[root].vertex;
+    piece.to = place.vertex;
+    if (trail.first == kNone) return piece;
+    piece.crossed = trails_.crossed(mesh_, trail);
+    piece.points =
+        points_of_straight_way(mesh_, piece.crossed, places_of_first(root, trail.first), place);
+    return piece;
   }
 
   const HalfedgeMesh& mesh_;
   PropagationPruning pruning_;
   double tolerance_;  ///< lengths that differ by less are the same
   SearchTargets targets_;
-  BucketQueue queue_;                ///< of windows and, with kRootFlag, roots
   std::vector<VertexState> states_;  ///< one per vertex
-  std::vector<Index> touched_;       ///< vertices with a bound
-  std::vector<Window> windows_;
+  std::vector<Index> touched_;       ///< vertices with a bound or a rest
+  SurfacePlace start_;
   std::vector<Root> roots_;
+  std::vector<Root> saddles_;  ///< all that were reached
+  SaddleQueue queue_;          ///< those still to be left, nearest first
+  TrailStore trails_;
+  double offset_ = 0.0;                     ///< of the root whose windows are followed
+  double horizon_square_ = 0.0;             ///< how far from it the band reaches, signed, squared
+  std::vector<Window> parted_;              ///< windows of that root still to be followed
+  std::vector<std::vector<Window>> bands_;  ///< windows that wait, by the band that they go on in
+  std::vector<Window> entering_;            ///< those that waited for the present band
+  std::size_t band_ = 0;                    ///< the present band
+  std::size_t last_band_ = 0;               ///< the last one with windows
+  std::size_t window_count_ = 0;
   std::size_t most_windows_;
   const std::vector<char>* allowed_ = nullptr;
   bool met_thin_triangle_ = false;

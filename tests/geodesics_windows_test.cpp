@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Windows on their way: their trails, and searches longer than a band of distances.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "geodesics_fixtures.h"
+#include "vcg_ext/core/constants.h"
+#include "vcg_ext/geodesics/trail.h"
+#include "vcg_ext/geodesics/window.h"
+#include "vcg_ext/geodesics/window_propagation.h"
+
+namespace mgf::test {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Trail, KeepsEveryTurn) {
+  // A walk longer than one word of bits, and one that leaves it on the way and goes on otherwise.
+  const HalfedgeMesh mesh = make_halfedge_mesh(bumpy_sphere(3, 0.1, 1));
+  std::mt19937 random(5);
+  TrailStore store;
+  Trail trail;
+  trail.first = 7;
+  std::vector<Index> walked{7};
+  const auto step = [&](Trail& of, std::vector<Index>& edges) {
+    const Side side = random() % 2 == 0 ? kLeft : kRight;
+    store.turn(side, of);
+    edges.push_back(mesh.crossings[edges.back()].beyond[side]);
+  };
+  for (int i = 0; i < 100; ++i) step(trail, walked);
+  Trail other = trail;
+  std::vector<Index> other_walked = walked;
+  for (int i = 0; i < 150; ++i) {
+    step(trail, walked);
+    step(other, other_walked);
+  }
+  EXPECT_EQ(store.crossed(mesh, trail), walked);
+  EXPECT_EQ(store.crossed(mesh, other), other_walked);
+  EXPECT_NE(walked, other_walked);
+}
+
+TEST(Crossing, LeadsToTheTrianglesBeyond) {
+  const HalfedgeMesh mesh = make_halfedge_mesh(bumpy_sphere(2, 0.2, 3));
+  for (Index h = 0; h < mesh.halfedges.size(); ++h) {
+    const Crossing& crossing = mesh.crossings[h];
+    EXPECT_EQ(mesh.tail(crossing.beyond[kLeft]), mesh.tail(h));
+    EXPECT_EQ(mesh.head(crossing.beyond[kLeft]), crossing.apex);
+    EXPECT_EQ(mesh.tail(crossing.beyond[kRight]), crossing.apex);
+    EXPECT_EQ(mesh.head(crossing.beyond[kRight]), mesh.head(h));
+    const Vec2 apex =
+        place_beside({0.0, 0.0}, {crossing.length, 0.0}, crossing.along, crossing.across);
+    EXPECT_NEAR(norm(apex - mesh.halfedges[h].apex), 0.0, 1e-15);
+  }
+}
+
+TEST(WindowInterval, IsWhereTheRaysMeetTheEdge) {
+  Window window;
+  window.left_ray = {-1.0, 4.0};
+  window.right_ray = {1.0, 2.0};
+  window.ends[Window::kTail].place = {-4.0, 4.0};
+  window.ends[Window::kHead].place = {6.0, 4.0};
+  for (UnfoldedCorner& end : window.ends) {
+    end.past_left = cross(window.left_ray, end.place);
+    end.past_right = cross(window.right_ray, end.place);
+  }
+  const WindowInterval interval(window);
+  EXPECT_DOUBLE_EQ(interval.left, 0.3);   // at (-1, 4)
+  EXPECT_DOUBLE_EQ(interval.right, 0.6);  // at (2, 4)
+  EXPECT_DOUBLE_EQ(interval.left_square, 17.0);
+  EXPECT_DOUBLE_EQ(interval.right_square, 20.0);
+}
+
+/// From a corner of the lower rim of a long prism to a corner of its upper rim: a straight line on
+/// the prism unrolled, across some hundreds of edges.
+class LongPrism : public ::testing::Test {
+ protected:
+  static constexpr int kSides = 12;
+  static constexpr int kRings = 240;
+  static constexpr double kHeight = 60.0;
+  const HalfedgeMesh mesh = make_halfedge_mesh(prism(1.0, kHeight, kSides, kRings));
+
+  Index corner(int side, double height) const {
+    const double angle = 2.0 * kPi * side / kSides;
+    const Vec3 place(std::cos(angle), std::sin(angle), height);
+    for (Index v = 0; v < mesh.vertex_count(); ++v) {
+      if ((mesh.points[v] - place).norm() < 1e-9) return v;
+    }
+    return kNone;
+  }
+  static double unrolled(int sides) {
+    return std::hypot(sides * 2.0 * std::sin(kPi / kSides), kHeight);
+  }
+};
+
+TEST_F(LongPrism, IsCrossedInOnePiece) {
+  WindowPropagation search(mesh);
+  const PropagationTarget target{place_of_vertex(mesh, corner(5, kHeight)), 1.1 * kHeight,
+                                 1.1 * kHeight};
+  ASSERT_TRUE(search.run(place_of_vertex(mesh, corner(0, 0.0)), {target}));
+  EXPECT_NEAR(search.distance(0), unrolled(5), 1e-11);
+  const std::vector<PathPiece> pieces = search.pieces(0);
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_GT(pieces[0].crossed.size(), 200U);
+}
+
+TEST_F(LongPrism, IsMeasuredThroughAllBands) {
+  PropagationPruning everywhere;
+  everywhere.ellipse = false;
+  WindowPropagation search(mesh, everywhere);
+  ASSERT_TRUE(search.run(place_of_vertex(mesh, corner(0, 0.0)), {}));
+  for (int side = 0; side <= kSides / 2; ++side) {
+    EXPECT_NEAR(search.vertex_bound(corner(side, kHeight)), unrolled(side), 1e-11);
+  }
+}
+
+TEST_F(LongPrism, SearchesThatAreGivenUpSaySo) {
+  WindowPropagation search(mesh);
+  search.give_up_beyond(1000);
+  const PropagationTarget target{place_of_vertex(mesh, corner(5, kHeight)), kInfinity};
+  EXPECT_FALSE(search.run(place_of_vertex(mesh, corner(0, 0.0)), {target}));
+  // The next one starts anew.
+  const PropagationTarget near{place_of_vertex(mesh, corner(1, 0.0)), 1.0, 1.0};
+  EXPECT_TRUE(search.run(place_of_vertex(mesh, corner(0, 0.0)), {near}));
+  EXPECT_NEAR(search.distance(0), 2.0 * std::sin(kPi / kSides), 1e-12);
+}
+
+}  // namespace
+}  // namespace mgf::test
