@@ -14,16 +14,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/landmarks.h"
+#include "vcg_ext/geodesics/search_bands.h"
 #include "vcg_ext/geodesics/search_targets.h"
 #include "vcg_ext/geodesics/surface_place.h"
 #include "vcg_ext/geodesics/trail.h"
@@ -51,6 +49,7 @@ class WindowPropagation {
         tolerance_(1e-10 * mesh.mean_edge),
         targets_(mesh, tolerance_, landmarks),
         states_(mesh.vertex_count()),
+        bands_(kBandWidth * mesh.mean_edge),
         most_windows_(
             std::min(kMostWindows, kSpareWindows + kWindowsPerTriangle * mesh.triangle_count())) {}
 
@@ -61,7 +60,9 @@ class WindowPropagation {
   bool run(const SurfacePlace& start, const std::vector<PropagationTarget>& targets) {
     begin(targets);
     start_ = start;
-    roots_.push_back({0.0, 0.0, start.vertex, kNone, {}});
+    SearchRoot root;
+    root.vertex = start.vertex;
+    roots_.push_back(root);
     if (start.vertex != kNone) {
       lower_bound_at(start.vertex, 0.0);
       spread(0);
@@ -69,7 +70,7 @@ class WindowPropagation {
       spread_in_triangle();
     }
     drain();
-    return window_count_ <= most_windows_;
+    return !is_given_up();
   }
 
   /// From now on keeps to the triangles t with allowed[t] != 0; nullptr allows all. What is found
@@ -94,7 +95,7 @@ class WindowPropagation {
     const SearchTargets::Target& target = targets_[i];
     path.push_back(piece_to(target.place, target.root, target.trail));
     for (Index root = target.root; roots_[root].parent != kNone; root = roots_[root].parent) {
-      const Root& bend = roots_[root];
+      const SearchRoot& bend = roots_[root];
       path.push_back(piece_to(place_of_vertex(mesh_, bend.vertex), bend.parent, bend.trail));
     }
     std::reverse(path.begin(), path.end());
@@ -117,18 +118,7 @@ class WindowPropagation {
   static constexpr std::size_t kSpareWindows = std::size_t{1} << 17U;
   static constexpr std::size_t kWindowsPerTriangle = 300;
   static constexpr double kBandWidth = 16.0;  ///< in mean edges
-  static constexpr double kMostBands = 1e8;
 
-  /// Where paths start from, with the way there.
-  struct Root {
-    double offset;   ///< its distance from the start
-    double arrival;  ///< direction to where the path came from, about the vertex
-    Index vertex, parent;
-    Trail trail;
-  };
-  using SaddleEntry = std::pair<double, Index>;  ///< distance and number
-  using SaddleQueue =
-      std::priority_queue<SaddleEntry, std::vector<SaddleEntry>, std::greater<SaddleEntry>>;
   /// What the search knows of a vertex.
   struct VertexState {
     double bound = kInfinity;  ///< length of some path from the start
@@ -144,11 +134,7 @@ class WindowPropagation {
     touched_.clear();
     roots_.clear();
     trails_.clear();
-    saddles_.clear();
-    queue_ = {};
-    for (std::vector<Window>& band : bands_) band.clear();
-    band_ = 0;
-    last_band_ = 0;
+    bands_.clear();
     targets_.assign(targets);
     for (const PropagationTarget& target : targets) {
       if (target.place.vertex != kNone) lower_bound_at(target.place.vertex, target.known);
@@ -177,44 +163,21 @@ class WindowPropagation {
     bound = distance;
   }
 
-  // ---- bands ----
-
-  double band_width() const { return kBandWidth * mesh_.mean_edge; }
-  double end_of_band() const { return band_width() * static_cast<double>(band_ + 1); }
-
   void drain() {
-    for (band_ = 0; band_ <= last_band_ || !queue_.empty(); ++band_) {
-      if (band_ < bands_.size()) {
-        entering_.swap(bands_[band_]);
-        for (Window& window : entering_) {
-          if (is_stale(roots_[window.root])) continue;
-          look_from(window.root);
-          follow(window);
-        }
-        entering_.clear();
+    do {
+      for (Window& window : bands_.take_windows()) {
+        if (is_stale(roots_[window.root])) continue;
+        look_from(window.root);
+        follow(window);
       }
-      while (!queue_.empty() && queue_.top().first <= end_of_band()) leave_saddle();
-      if (is_given_up()) return;
-    }
+      while (bands_.has_saddle()) leave_saddle(bands_.take_saddle());
+    } while (!is_given_up() && bands_.advance());
   }
 
   bool is_given_up() const { return window_count_ > most_windows_; }
 
-  /// Keeps a window for the band that its nearest point lies in.
-  void let_wait(const Window& window, double nearest) {
-    const double position = nearest / band_width();
-    if (!(position <= kMostBands)) {
-      window_count_ = most_windows_ + 1;
-      return;
-    }
-    const std::size_t band = std::max(band_ + 1, static_cast<std::size_t>(position));
-    if (band >= bands_.size()) bands_.resize(band + 1);
-    bands_[band].push_back(window);
-    last_band_ = std::max(last_band_, band);
-  }
-
   /// Whether a shorter path to the root has turned up since.
-  bool is_stale(const Root& root) const {
+  bool is_stale(const SearchRoot& root) const {
     return root.vertex != kNone && root.offset > padded(states_[root.vertex].bound);
   }
 
@@ -229,14 +192,11 @@ class WindowPropagation {
       targets_.arrive(i, distance, root, trail);
     }
     if (distance > padded(states_[v].bound) || !mesh_.is_saddle(v) || distance > rest_at(v)) return;
-    queue_.emplace(distance, to_index(saddles_.size()));
-    saddles_.push_back({distance, arrival(), v, root, trail});
+    bands_.put_off({distance, arrival(), v, root, trail});
   }
 
-  /// Goes on from the nearest saddle.
-  void leave_saddle() {
-    const Root& saddle = saddles_[queue_.top().second];
-    queue_.pop();
+  /// Goes on from a saddle.
+  void leave_saddle(const SearchRoot& saddle) {
     if (is_stale(saddle) || saddle.offset > rest_at(saddle.vertex)) return;
     Index& last = states_[saddle.vertex].last_root;
     if (last != kNone && std::abs(roots_[last].arrival - saddle.arrival) < 1e-9 &&
@@ -252,7 +212,7 @@ class WindowPropagation {
 
   void spread(Index root) {
     look_from(root);
-    const Root at = roots_[root];
+    const SearchRoot at = roots_[root];
     const double turn = mesh_.total_angle[at.vertex];
     double from = 0.0;
     double to = turn;
@@ -366,7 +326,7 @@ class WindowPropagation {
   /// Looks from a root from now on.
   void look_from(Index root) {
     offset_ = roots_[root].offset;
-    horizon_square_ = signed_square(end_of_band() - offset_);
+    horizon_square_ = signed_square(bands_.end() - offset_);
   }
 
   /// Carries a window on across its triangle. Returns whether to go on with it; if it parts, its
@@ -453,7 +413,9 @@ class WindowPropagation {
     if (!(nearest_square > horizon_square_)) return true;
     const double width = (interval.right - interval.left) * mesh_.crossings[w.halfedge].length;
     const double nearest = offset_ + std::sqrt(nearest_square) - 0.5 * width;
-    if (nearest <= targets_.reach()) let_wait(w, nearest);
+    if (nearest <= targets_.reach() && !bands_.put_off(w, nearest)) {
+      window_count_ = most_windows_ + 1;  // given up
+    }
     return false;
   }
 
@@ -499,17 +461,12 @@ class WindowPropagation {
   std::vector<VertexState> states_;  ///< one per vertex
   std::vector<Index> touched_;       ///< vertices with a bound or a rest
   SurfacePlace start_;
-  std::vector<Root> roots_;
-  std::vector<Root> saddles_;  ///< all that were reached
-  SaddleQueue queue_;          ///< those still to be left, nearest first
+  std::vector<SearchRoot> roots_;
+  SearchBands bands_;
   TrailStore trails_;
-  double offset_ = 0.0;                     ///< of the root whose windows are followed
-  double horizon_square_ = 0.0;             ///< how far from it the band reaches, signed, squared
-  std::vector<Window> parted_;              ///< windows of that root still to be followed
-  std::vector<std::vector<Window>> bands_;  ///< windows that wait, by the band that they go on in
-  std::vector<Window> entering_;            ///< those that waited for the present band
-  std::size_t band_ = 0;                    ///< the present band
-  std::size_t last_band_ = 0;               ///< the last one with windows
+  double offset_ = 0.0;          ///< of the root whose windows are followed
+  double horizon_square_ = 0.0;  ///< how far from it the band reaches, signed, squared
+  std::vector<Window> parted_;   ///< windows of that root still to be followed
   std::size_t window_count_ = 0;
   std::size_t most_windows_;
   const std::vector<char>* allowed_ = nullptr;
