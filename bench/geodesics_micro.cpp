@@ -95,7 +95,9 @@ Json measure(const std::string& file) {
   seconds["rough_paths"] = lap.next();
   const mgf::PairPaths full = find_paths(mesh, question, mgf::ShorteningEffort::kFull);
   seconds["full_paths"] = lap.next();
-  mgf::PathCertificate(question.surface(), mesh, question.pairs(), 1, {}, rough).run(1, {});
+  mgf::PathCertificate(mesh, mgf::make_search_surface(question.surface(), mesh), question.pairs(),
+                       1, {}, rough)
+      .run(1, {});
   seconds["certificate"] = lap.next();
   line["flat_vertices"] = surface.points.size() - coarse.surface.points.size();
   line["funnel_ns_per_edge"] = time_funnel(mesh, question, full);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstddef>
 #include <exception>
+#include <future>
 #include <thread>
 #include <vector>
 
@@ -58,6 +59,21 @@ void parallel_for(std::size_t count, unsigned threads, std::size_t chunk, const 
 template <class First, class Second>
 void parallel_both(unsigned threads, const First& first, const Second& second) {
   parallel_for(2, threads, 1, [&](std::size_t i, unsigned) { i == 0 ? first() : second(); });
+}
+
+/// Calls `work` on this thread and, if there is another, `beside` on that at the same time; else
+/// one after the other. What reports progress belongs in `work`. An exception of either is
+/// rethrown here after both have ended.
+template <class Work, class Beside>
+void parallel_beside(unsigned threads, const Work& work, const Beside& beside) {
+  if (thread_count(threads) <= 1) {
+    work();
+    beside();
+    return;
+  }
+  std::future<void> other = std::async(std::launch::async, beside);
+  work();
+  other.get();
 }
 
 }  // namespace mgf

@@ -16,6 +16,7 @@
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_paths.h"
 #include "vcg_ext/geodesics/path_certificate.h"
+#include "vcg_ext/geodesics/search_surface.h"
 #include "vcg_ext/geodesics/spatial_numbering.h"
 
 namespace mgf {
@@ -81,11 +82,16 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
   CoherentPaths carrier(mesh, question.pairs(), question.links(),
                         is_proving ? ShorteningEffort::kRough : ShorteningEffort::kFull,
                         options.threads, paths);
-  carrier.run(progress.slice(0.0, 0.3));
+  SearchSurface search;
+  parallel_beside(
+      options.threads, [&] { carrier.run(progress.slice(0.0, 0.3)); },
+      [&] {
+        if (is_proving) search = make_search_surface(question.surface(), mesh);
+      });
   if (is_proving) {
     CertificateOptions certificate_options;
     if (options.wanted == Certification::kWithin) certificate_options.epsilon = options.epsilon;
-    PathCertificate certificate(question.surface(), mesh, question.pairs(), options.threads,
+    PathCertificate certificate(mesh, std::move(search), question.pairs(), options.threads,
                                 certificate_options, paths);
     // What a sample of the searches repairs is carried on first: paths of a wrong class come in
     // islands, and each makes its search dear.

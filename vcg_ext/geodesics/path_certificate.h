@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
@@ -28,9 +29,8 @@ namespace mgf {
 /// Shortcuts of the certificate; the answer is the same with any of them.
 struct CertificateOptions {
   PropagationPruning pruning;
-  bool skip_flat_vertices = true;  ///< search on a triangulation without them
-  double epsilon = 0.0;            ///< if more than 0, only paths shorter than those known by more
-                                   ///< than the factor 1 + epsilon are searched for
+  double epsilon = 0.0;  ///< if more than 0, only paths shorter than those known by more
+                         ///< than the factor 1 + epsilon are searched for
 };
 
 namespace detail {
@@ -141,15 +141,16 @@ class Certifier {
 /// mark. The result is independent of the number of threads.
 class PathCertificate {
  public:
-  /// `mesh` is that of `surface`; all arguments must outlive the certificate.
-  PathCertificate(const TriangleSurface& surface, const HalfedgeMesh& mesh,
+  /// Searches run on `search`, which is made from `mesh`; all arguments but that must outlive the
+  /// certificate.
+  PathCertificate(const HalfedgeMesh& mesh, SearchSurface search,
                   const std::vector<VertexPair>& pairs, unsigned threads,
                   const CertificateOptions& options, PairPaths& paths)
       : mesh_(mesh),
         pairs_(pairs),
         options_(options),
         paths_(paths),
-        search_(make_search_surface(surface, mesh, options.skip_flat_vertices)),
+        search_(std::move(search)),
         certifiers_(thread_count(threads)) {
     std::vector<double> weight(pairs.size(), 0.0);
     for (Index i = 0; i < pairs.size(); ++i) {

@@ -23,7 +23,7 @@ struct SearchSurface {
 /// The surface `fine`, whose mesh is `mesh`, or, if a tenth of its vertices or more are flat and
 /// `skip_flat_vertices` is set, one without them. O(n log n).
 inline SearchSurface make_search_surface(const TriangleSurface& fine, const HalfedgeMesh& mesh,
-                                         bool skip_flat_vertices) {
+                                         bool skip_flat_vertices = true) {
   SearchSurface search;
   const CoarseSurface coarse = skip_flat_vertices ? without_flat_vertices(fine) : CoarseSurface{};
   constexpr double kWorthIt = 0.9;  // paths on a coarse surface have to be found again on the fine
