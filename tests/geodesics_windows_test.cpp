@@ -52,7 +52,7 @@ TEST(Crossing, LeadsToTheTrianglesBeyond) {
     EXPECT_EQ(mesh.tail(crossing.beyond[kRight]), crossing.apex);
     EXPECT_EQ(mesh.head(crossing.beyond[kRight]), mesh.head(h));
     const Vec2 apex =
-        place_beside({0.0, 0.0}, {crossing.length, 0.0}, crossing.along, crossing.across);
+        place_beside({0.0, 0.0}, {mesh.halfedges[h].length, 0.0}, crossing.along, crossing.across);
     EXPECT_NEAR(norm(apex - mesh.halfedges[h].apex), 0.0, 1e-15);
   }
 }

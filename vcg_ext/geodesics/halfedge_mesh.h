@@ -72,11 +72,10 @@ inline Index previous_in_triangle(Index h) {
 enum Side { kLeft = 0, kRight = 1 };  ///< of a path
 
 /// What a straight path meets that enters a triangle through a directed edge of it: all that a
-/// search needs there, in one place.
-struct Crossing {
+/// search needs there, in half a cache line.
+struct alignas(32) Crossing {
   double along = 0.0;   ///< where the apex lies: along the edge from its tail, over its length,
   double across = 0.0;  ///< and across it
-  double length = 0.0;  ///< of the edge
   Index apex = kNone;   ///< the vertex
   /// The other edges, each in the triangle beyond it: on the left that between tail and apex, on
   /// the right that between apex and head.
@@ -279,7 +278,6 @@ inline void list_crossings(HalfedgeMesh& mesh) {
     mesh.crossings.push_back(
         {edge.apex.x / edge.length,
          edge.apex.y / edge.length,
-         edge.length,
          apex,
          {mesh.opposite(previous_in_triangle(h)), mesh.opposite(next_in_triangle(h))},
          mesh.is_saddle(apex),

@@ -116,12 +116,12 @@ class SearchTargets {
   bool matters(const Window& window, const WindowInterval& interval, double offset) const {
     const UnfoldedCorner& tail = window.ends[Window::kTail];
     const UnfoldedCorner& head = window.ends[Window::kHead];
-    const double length = mesh_.crossings[window.halfedge].length;
     // From the far end of the window, what is left beyond an end of the edge is least.
-    const double by_tail = offset + std::sqrt(interval.right_square) - interval.right * length;
+    const double by_tail =
+        offset + std::sqrt(interval.right_square) - interval.right * interval.length;
     const double by_head =
-        offset + std::sqrt(interval.left_square) - (1.0 - interval.left) * length;
-    const EdgeInSpace edge(mesh_, window);
+        offset + std::sqrt(interval.left_square) - (1.0 - interval.left) * interval.length;
+    const EdgeInSpace edge(mesh_, window, interval.length);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
       if (std::min(rests_[tail.rests + i] - by_tail, rests_[head.rests + i] - by_head) < 0.0)
         continue;
@@ -169,10 +169,10 @@ class SearchTargets {
 
   /// A window's edge in space, to turn targets about it.
   struct EdgeInSpace {
-    EdgeInSpace(const HalfedgeMesh& mesh, const Window& window)
+    EdgeInSpace(const HalfedgeMesh& mesh, const Window& window, double length)
         : tail(mesh.points[window.ends[Window::kTail].vertex]),
           span(mesh.points[window.ends[Window::kHead].vertex] - tail),
-          inverse_square(1.0 / square(mesh.crossings[window.halfedge].length)) {}
+          inverse_square(1.0 / (length * length)) {}
 
     Vec3 tail, span;
     double inverse_square;  ///< of its length
@@ -183,8 +183,6 @@ class SearchTargets {
     Vec3 position;
     double bound;  ///< paths longer than this don't matter
   };
-
-  static double square(double x) { return x * x; }
 
   /// Whether the shortest way from the root through the window to a target, which is straight or
   /// bends at an end of the window, is at most as long as the target's bound.

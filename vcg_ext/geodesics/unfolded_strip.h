@@ -42,7 +42,8 @@ inline Vec2 place_behind(const HalfedgeMesh& mesh, Index h, const EdgePlaces& ed
     return place_beside(edge.tail, edge.head, crossing.along, crossing.across);
   }
   const Vec2 at = in_frame_of(mesh, h, place.at);
-  return place_beside(edge.tail, edge.head, at.x / crossing.length, at.y / crossing.length);
+  const double length = mesh.halfedges[h].length;
+  return place_beside(edge.tail, edge.head, at.x / length, at.y / length);
 }
 
 /// Where the straight way from the root to `place` crosses the directed edges `crossed`, of which

@@ -49,6 +49,7 @@ struct WindowInterval {
   explicit WindowInterval(const Window& window) {
     const UnfoldedCorner& tail = window.ends[Window::kTail];
     const UnfoldedCorner& head = window.ends[Window::kHead];
+    length = norm(head.place - tail.place);
     left = tail.past_left / (tail.past_left - head.past_left);
     right = tail.past_right / (tail.past_right - head.past_right);
     left_place = point_between(tail.place, head.place, left);
@@ -57,6 +58,7 @@ struct WindowInterval {
     right_square = dot(right_place, right_place);
   }
 
+  double length;  ///< of the edge
   double left, right;
   Vec2 left_place, right_place;
   double left_square, right_square;  ///< squared distances from the root

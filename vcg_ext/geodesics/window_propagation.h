@@ -411,7 +411,7 @@ class WindowPropagation {
     if (!can_matter(w, interval)) return false;
     const double nearest_square = std::min(interval.left_square, interval.right_square);
     if (!(nearest_square > horizon_square_)) return true;
-    const double width = (interval.right - interval.left) * mesh_.crossings[w.halfedge].length;
+    const double width = (interval.right - interval.left) * interval.length;
     const double nearest = offset_ + std::sqrt(nearest_square) - 0.5 * width;
     if (nearest <= targets_.reach() && !bands_.put_off(w, nearest)) {
       window_count_ = most_windows_ + 1;  // given up
@@ -426,7 +426,7 @@ class WindowPropagation {
   bool can_matter(const Window& w, const WindowInterval& interval) {
     const UnfoldedCorner& tail = w.ends[Window::kTail];
     const UnfoldedCorner& head = w.ends[Window::kHead];
-    const double length = mesh_.crossings[w.halfedge].length;
+    const double length = interval.length;
     const double left = interval.left * length;
     const double right = interval.right * length;
     if (std::max(interval.right_square - signed_square(tail.limit + right),
