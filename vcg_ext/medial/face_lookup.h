@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 
@@ -56,25 +57,29 @@ class FaceLookup {
   Rows<std::array<Index, 3>> entries_;  // by least corner: the other two, ascending, and the face
 };
 
-/// Calls `visit(f, t, i)` for each of `faces` that a tetrahedron of the mesh has: face i of t. A
-/// face within the mesh comes up twice. Linear time.
+/// Calls `visit(f, t, i)` for each of `faces` that a tetrahedron of the mesh has: face i of t, of
+/// the two tetrahedra that share it the one of the lesser number. Equal faces come up one by one;
+/// calls for different faces may be made at the same time. Linear time.
 template <class Visit>
 void visit_common_faces(const TetrahedralMesh& mesh, const std::vector<Triangle>& faces,
-                        const Visit& visit) {
+                        unsigned threads, const Visit& visit) {
+  constexpr std::size_t kChunk = 4096;
   const FaceLookup lookup(faces, mesh.points().size());
-  for (Index t = 0; t < mesh.slot_count(); ++t) {
-    if (!mesh.alive(t)) continue;
+  parallel_for(mesh.slot_count(), threads, kChunk, [&](std::size_t slot, unsigned) {
+    const Index t = to_index(slot);
+    if (!mesh.alive(t)) return;
     for (unsigned i = 0; i < 4; ++i) {
+      if (mesh.neighbour(t, i) < t) continue;
       lookup.visit(face_of(mesh.corners(t), i), [&](Index f) { visit(f, t, i); });
     }
-  }
+  });
 }
 
 /// The numbers of the faces that the mesh doesn't have, ascending.
 inline std::vector<Index> missing_faces(const TetrahedralMesh& mesh,
-                                        const std::vector<Triangle>& faces) {
+                                        const std::vector<Triangle>& faces, unsigned threads = 1) {
   std::vector<char> present(faces.size(), 0);
-  visit_common_faces(mesh, faces, [&](Index f, Index, unsigned) { present[f] = 1; });
+  visit_common_faces(mesh, faces, threads, [&](Index f, Index, unsigned) { present[f] = 1; });
   std::vector<Index> missing;
   for (Index f = 0; f < present.size(); ++f) {
     if (present[f] == 0) missing.push_back(f);
