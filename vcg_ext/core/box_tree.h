@@ -3,11 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/radix_sort.h"
 #include "vcg_ext/core/spatial_order.h"
 #include "vcg_ext/core/types.h"
@@ -73,14 +75,29 @@ class BoxTree {
     if (!nodes_.empty()) visit_near_from(0, point, bound, visit);
   }
 
-  /// Calls `visit(i, j)` once for each two items i != j whose boxes meet.
+  /// Calls `visit(i, j, worker)` once for each two items i != j whose boxes meet, in no fixed order
+  /// if there are several `threads`, and then at the same time; `worker` is as in `parallel_for`.
   template <class Visit>
-  void visit_meeting_pairs(const Visit& visit) const {
-    if (!nodes_.empty()) visit_pairs_within(0, visit);
+  void visit_meeting_pairs(unsigned threads, const Visit& visit) const {
+    if (nodes_.empty()) return;
+    constexpr std::size_t kTasks = 64;
+    std::vector<NodePair> tasks;
+    collect_tasks(0, boxes_.size() / kTasks, tasks);
+    parallel_for(tasks.size(), threads, 1, [&](std::size_t task, unsigned worker) {
+      const auto [a, b] = tasks[task];
+      const auto visit_as_worker = [&](Index i, Index j) { visit(i, j, worker); };
+      if (a == b) {
+        visit_pairs_within(a, visit_as_worker);
+      } else {
+        visit_pairs_between(a, b, visit_as_worker);
+      }
+    });
   }
 
  private:
   static constexpr Index kLeafSize = 4;
+
+  using NodePair = std::array<Index, 2>;
 
   struct Node {
     Box box;
@@ -175,6 +192,19 @@ class BoxTree {
     }
     if (near_distance <= bound) visit_near_from(near, point, bound, visit);
     if (far_distance <= bound) visit_near_from(far, point, bound, visit);
+  }
+
+  // Parts the search for pairs within a node into searches within nodes of no more than `size`
+  // items, or leaves, and between others.
+  void collect_tasks(Index at, std::size_t size, std::vector<NodePair>& tasks) const {
+    const Node& node = nodes_[at];
+    if (node.second_child == kNone || node.end - node.begin <= size) {
+      tasks.push_back({at, at});
+      return;
+    }
+    tasks.push_back({at + 1, node.second_child});
+    collect_tasks(at + 1, size, tasks);
+    collect_tasks(node.second_child, size, tasks);
   }
 
   template <class Visit>
