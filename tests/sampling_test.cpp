@@ -76,7 +76,8 @@ TEST(Sampling, RefinesWhatHasTooFewVertices) {
     EXPECT_GT(refined.surface.points.size(), 2 * surface.points.size());
     EXPECT_LT(refined.surface.points.size(), 1000U);
     EXPECT_TRUE(exact::self_intersections(refined.surface).empty());
-    EXPECT_TRUE(too_coarse_faces(refined.surface).empty());
+    const Shells shells = find_pieces(refined.surface, make_edge_table(refined.surface.triangles));
+    EXPECT_TRUE(too_coarse_faces(refined.surface, shells).empty());
   }
 }
 

@@ -3,9 +3,11 @@
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/input/point_insertion.h"
 #include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/placement.h"
@@ -49,17 +51,24 @@ void warn_of_topology(const TopologyCertificate& certificate, Warnings& warnings
 // Treats as displaced the Voronoi vertices that lie outside T because flips have put T' there.
 // Only tetrahedra at faces of T' that are none of T can hold such a vertex's centroid.
 void discard_vertices_outside(const SurfaceTree& tree, const TriangleSurface& surface,
-                              const InteriorTetrahedra& interior, MedialComplex& complex) {
+                              const InteriorTetrahedra& interior, unsigned threads,
+                              MedialComplex& complex) {
+  constexpr std::size_t kChunk = 512;
   const FaceLookup lookup(surface.triangles, surface.points.size());
-  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
+  const auto has_new_face = [&](Index t) {
     for (unsigned i = 0; i < 4; ++i) {
       if (interior.neighbours[t][i] != kNone) continue;
-      if (lookup.has(face_of(interior.tetrahedra[t], i))) continue;
-      if (!tree.inside(complex.position[t]) || !tree.inside(tetrahedron_centroid(interior, t))) {
-        complex.displaced[t] = 1;
-      }
+      if (!lookup.has(face_of(interior.tetrahedra[t], i))) return true;
     }
-  }
+    return false;
+  };
+  parallel_for(interior.tetrahedra.size(), threads, kChunk, [&](std::size_t i, unsigned) {
+    const Index t = to_index(i);
+    if (!has_new_face(t)) return;
+    if (!tree.inside(complex.position[t]) || !tree.inside(tetrahedron_centroid(interior, t))) {
+      complex.displaced[t] = 1;
+    }
+  });
 }
 
 }  // namespace
@@ -106,10 +115,13 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
       axis.interior.points.end());
   axis.surface = added.empty() ? sampled : insert_points(sampled, added);
   axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
-  axis.complex = build_medial_complex(axis.interior);
-  place_voronoi_vertices(axis.interior, axis.complex, options.recovery.threads);
-  const SurfaceTree tree(axis.working.surface);
-  discard_vertices_outside(tree, axis.surface.surface, axis.interior, axis.complex);
+  const unsigned threads = thread_count(options.recovery.threads);
+  std::optional<SurfaceTree> tree;
+  parallel_both(
+      threads, [&] { axis.complex = build_medial_complex(axis.interior); },
+      [&] { tree.emplace(axis.working.surface); });
+  place_voronoi_vertices(axis.interior, axis.complex, threads);
+  discard_vertices_outside(*tree, axis.surface.surface, axis.interior, threads, axis.complex);
   warn_of_topology(axis.interior.certificate, axis.warnings);
   clock.finish("medial_complex", axis.times);
   progress.report(1.0, "Medial complex");

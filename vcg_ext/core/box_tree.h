@@ -5,9 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
+#include "vcg_ext/core/radix_sort.h"
+#include "vcg_ext/core/spatial_order.h"
 #include "vcg_ext/core/types.h"
 
 namespace mgf {
@@ -40,9 +44,9 @@ class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
     if (boxes_.empty()) return;
-    std::vector<Place> places = centres();
-    build(places, 0, to_index(places.size()));
-    sort_items(places);
+    const std::vector<std::uint64_t> sorted_codes = sort_items(codes());
+    nodes_.reserve(boxes_.size());
+    build(sorted_codes, 0, to_index(boxes_.size()));
   }
 
   /// Makes the box of `item` hold `box`, too. O(log n).
@@ -71,14 +75,29 @@ class BoxTree {
     if (!nodes_.empty()) visit_near_from(0, point, bound, visit);
   }
 
-  /// Calls `visit(i, j)` once for each two items i != j whose boxes meet.
+  /// Calls `visit(i, j, worker)` once for each two items i != j whose boxes meet, in no fixed order
+  /// if there are several `threads`, and then at the same time; `worker` is as in `parallel_for`.
   template <class Visit>
-  void visit_meeting_pairs(const Visit& visit) const {
-    if (!nodes_.empty()) visit_pairs_within(0, visit);
+  void visit_meeting_pairs(unsigned threads, const Visit& visit) const {
+    if (nodes_.empty()) return;
+    constexpr std::size_t kTasks = 64;
+    std::vector<NodePair> tasks;
+    collect_tasks(0, boxes_.size() / kTasks, tasks);
+    parallel_for(tasks.size(), threads, 1, [&](std::size_t task, unsigned worker) {
+      const auto [a, b] = tasks[task];
+      const auto visit_as_worker = [&](Index i, Index j) { visit(i, j, worker); };
+      if (a == b) {
+        visit_pairs_within(a, visit_as_worker);
+      } else {
+        visit_pairs_between(a, b, visit_as_worker);
+      }
+    });
   }
 
  private:
   static constexpr Index kLeafSize = 4;
+
+  using NodePair = std::array<Index, 2>;
 
   struct Node {
     Box box;
@@ -86,79 +105,60 @@ class BoxTree {
     Index end;
     Index second_child;  // kNone: a leaf; the first child follows its parent
   };
-  // The centre of an item's box, as far as single precision tells, in shares of all: small, as
-  // these are moved about a lot.
-  struct Place {
-    std::array<float, 3> centre;
-    Index item;
-  };
 
-  std::vector<Place> centres() const {
+  // The Morton codes of the centres of the boxes, in shares of all.
+  std::vector<std::uint64_t> codes() const {
     Box all = boxes_.front();
     for (const Box& box : boxes_) all.extend(box);
-    const double extent = (all.high - all.low).maxCoeff();
-    const double scale = extent > 0.0 ? 1.0 / extent : 0.0;
-    std::vector<Place> places;
-    places.reserve(boxes_.size());
-    for (Index i = 0; i < boxes_.size(); ++i) {
-      const Vec3 share = scale * ((0.5 * boxes_[i].low + 0.5 * boxes_[i].high) - all.low);
-      places.push_back({{static_cast<float>(share.x()), static_cast<float>(share.y()),
-                         static_cast<float>(share.z())},
-                        i});
-    }
-    return places;
-  }
-
-  // Halves [begin, end) across its widest axis, down to leaves. Returns the box of all.
-  Box build(std::vector<Place>& places, Index begin, Index end) {
-    const Index self = to_index(nodes_.size());
-    nodes_.push_back({boxes_[places[begin].item], begin, end, kNone});
-    if (end - begin <= kLeafSize) {
-      for (Index i = begin + 1; i < end; ++i) nodes_[self].box.extend(boxes_[places[i].item]);
-      return nodes_[self].box;
-    }
-    const std::size_t axis = widest_axis(places, begin, end);
-    const Index middle = begin + (end - begin) / 2;
-    std::nth_element(places.begin() + begin, places.begin() + middle, places.begin() + end,
-                     [axis](const Place& p, const Place& q) {
-                       const float x = p.centre[axis];
-                       const float y = q.centre[axis];
-                       return x != y ? x < y : p.item < q.item;
-                     });
-    Box box = build(places, begin, middle);
-    nodes_[self].second_child = to_index(nodes_.size());
-    box.extend(build(places, middle, end));
-    return nodes_[self].box = box;
-  }
-
-  static std::size_t widest_axis(const std::vector<Place>& places, Index begin, Index end) {
-    std::array<float, 3> low = places[begin].centre;
-    std::array<float, 3> high = low;
-    for (Index i = begin + 1; i < end; ++i) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], places[i].centre[axis]);
-        high[axis] = std::max(high[axis], places[i].centre[axis]);
-      }
-    }
-    std::size_t widest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis) {
-      if (high[axis] - low[axis] > high[widest] - low[widest]) widest = axis;
-    }
-    return widest;
+    const MortonGrid grid(all.low, all.high);
+    std::vector<std::uint64_t> result;
+    result.reserve(boxes_.size());
+    for (const Box& box : boxes_) result.push_back(grid.code(0.5 * box.low + 0.5 * box.high));
+    return result;
   }
 
   // Puts the boxes in the order of the leaves: what is visited together lies together.
-  void sort_items(const std::vector<Place>& places) {
-    std::vector<Box> sorted;
-    sorted.reserve(places.size());
-    items_.reserve(places.size());
-    place_of_item_.resize(places.size());
-    for (const Place& place : places) {
-      place_of_item_[place.item] = to_index(items_.size());
-      sorted.push_back(boxes_[place.item]);
-      items_.push_back(place.item);
+  std::vector<std::uint64_t> sort_items(const std::vector<std::uint64_t>& codes) {
+    items_ = sorted_by_key(codes);
+    place_of_item_.resize(items_.size());
+    std::vector<Box> boxes;
+    std::vector<std::uint64_t> sorted;
+    boxes.reserve(items_.size());
+    sorted.reserve(items_.size());
+    for (const Index item : items_) {
+      place_of_item_[item] = to_index(boxes.size());
+      boxes.push_back(boxes_[item]);
+      sorted.push_back(codes[item]);
     }
-    boxes_ = std::move(sorted);
+    boxes_ = std::move(boxes);
+    return sorted;
+  }
+
+  // Parts [begin, end) where the first bit changes in which its codes differ, down to leaves.
+  // Returns the box of all.
+  Box build(const std::vector<std::uint64_t>& codes, Index begin, Index end) {
+    const Index self = to_index(nodes_.size());
+    nodes_.push_back({boxes_[begin], begin, end, kNone});
+    if (end - begin <= kLeafSize) {
+      for (Index i = begin + 1; i < end; ++i) nodes_[self].box.extend(boxes_[i]);
+      return nodes_[self].box;
+    }
+    const Index middle = first_of_second_half(codes, begin, end);
+    Box box = build(codes, begin, middle);
+    nodes_[self].second_child = to_index(nodes_.size());
+    box.extend(build(codes, middle, end));
+    return nodes_[self].box = box;
+  }
+
+  static Index first_of_second_half(const std::vector<std::uint64_t>& codes, Index begin,
+                                    Index end) {
+    std::uint64_t change = codes[begin] ^ codes[end - 1];
+    if (change == 0) return begin + (end - begin) / 2;
+    while ((change & (change - 1)) != 0) change &= change - 1;  // its highest bit
+    const auto first =
+        std::partition_point(codes.begin() + begin, codes.begin() + end,
+                             [&](std::uint64_t code) { return (code & change) == 0; });
+    return to_index(static_cast<std::size_t>(first - codes.begin()));
   }
 
   template <class Enter, class Visit>
@@ -192,6 +192,19 @@ class BoxTree {
     }
     if (near_distance <= bound) visit_near_from(near, point, bound, visit);
     if (far_distance <= bound) visit_near_from(far, point, bound, visit);
+  }
+
+  // Parts the search for pairs within a node into searches within nodes of no more than `size`
+  // items, or leaves, and between others.
+  void collect_tasks(Index at, std::size_t size, std::vector<NodePair>& tasks) const {
+    const Node& node = nodes_[at];
+    if (node.second_child == kNone || node.end - node.begin <= size) {
+      tasks.push_back({at, at});
+      return;
+    }
+    tasks.push_back({at + 1, node.second_child});
+    collect_tasks(at + 1, size, tasks);
+    collect_tasks(node.second_child, size, tasks);
   }
 
   template <class Visit>

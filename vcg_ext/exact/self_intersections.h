@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -31,20 +30,18 @@ inline std::vector<std::array<Index, 2>> self_intersections(const TriangleSurfac
     boxes.push_back(box_of_triangle(points[t[0]], points[t[1]], points[t[2]]));
     degenerate.push_back(collinear(points[t[0]], points[t[1]], points[t[2]]) ? 1 : 0);
   }
-  std::vector<std::array<Index, 2>> pairs;
-  BoxTree(std::move(boxes)).visit_meeting_pairs([&](Index i, Index j) {
-    if (degenerate[i] == 0 && degenerate[j] == 0) pairs.push_back({std::min(i, j), std::max(i, j)});
-  });
-  constexpr std::size_t kChunk = 4096;
-  std::vector<char> meets(pairs.size(), 0);
-  parallel_for(pairs.size(), thread_count(threads), kChunk, [&](std::size_t p, unsigned) {
-    const auto [i, j] = pairs[p];
-    meets[p] = triangles_intersect(points, surface.triangles[i], surface.triangles[j]) ? 1 : 0;
-  });
-  std::vector<std::array<Index, 2>> meeting;
-  for (std::size_t p = 0; p < pairs.size(); ++p) {
-    if (meets[p] != 0) meeting.push_back(pairs[p]);
-  }
+  using Pairs = std::vector<std::array<Index, 2>>;
+  std::vector<Pairs> found(thread_count(threads));  // by each worker
+  BoxTree(std::move(boxes))
+      .visit_meeting_pairs(thread_count(threads), [&](Index i, Index j, unsigned worker) {
+        if (degenerate[i] != 0 || degenerate[j] != 0) return;
+        const auto [f, g] = std::minmax(i, j);
+        if (triangles_intersect(points, surface.triangles[f], surface.triangles[g])) {
+          found[worker].push_back({f, g});
+        }
+      });
+  Pairs meeting;
+  for (const Pairs& some : found) meeting.insert(meeting.end(), some.begin(), some.end());
   std::sort(meeting.begin(), meeting.end());
   return meeting;
 }

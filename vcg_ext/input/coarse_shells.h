@@ -5,12 +5,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
+#include "vcg_ext/core/radix_sort.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/surface_tree.h"
-#include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/input/shells.h"
 #include "vcg_ext/input/thickness.h"
 
@@ -40,16 +42,16 @@ class CoarseVote {
         fine_(shells.shells.size(), 0.0),
         whole_(shells.shells.size(), 0.0) {
     area_.reserve(surface.triangles.size());
-    order_.reserve(surface.triangles.size());
     for (Index f = 0; f < surface.triangles.size(); ++f) {
       const Triangle& t = surface.triangles[f];
       const Vec3& a = surface.points[t[0]];
       area_.push_back((surface.points[t[1]] - a).cross(surface.points[t[2]] - a).norm());
       whole_[shells.of_face[f]] += area_[f];
-      order_.push_back(f);
     }
-    std::sort(order_.begin(), order_.end(),
-              [&](Index f, Index g) { return area_[f] != area_[g] ? area_[f] > area_[g] : f < g; });
+    std::vector<std::uint64_t> keys;
+    keys.reserve(area_.size());
+    for (const double area : area_) keys.push_back(descending_key(area));
+    order_ = sorted_by_key(keys);
   }
 
   std::vector<char> run(unsigned threads) {
@@ -97,21 +99,22 @@ class CoarseVote {
 
 }  // namespace detail
 
-/// Finds them. Requires a closed, outward-oriented surface without collinear faces. Cost: a short
-/// ray for each of the faces that make three quarters of the area. The same for any number of
-/// `threads` (0: all).
+/// Finds them among the `shells` of a surface. Requires a closed, outward-oriented surface without
+/// collinear faces. Cost: a short ray for each of the faces that make three quarters of the area.
+/// The same for any number of `threads` (0: all).
 inline CoarseShells find_coarse_shells(const TriangleSurface& surface, const SurfaceTree& tree,
-                                       unsigned threads = 0) {
+                                       Shells shells, unsigned threads = 0) {
   CoarseShells result;
-  detail::find_pieces(surface, make_edge_table(surface.triangles), result.shells);
+  result.shells = std::move(shells);
   result.is_coarse = detail::CoarseVote(surface, tree, result.shells).run(thread_count(threads));
   return result;
 }
 
-/// The faces coarser than the thickness in shells that are too coarse; ascending.
-inline std::vector<Index> too_coarse_faces(const TriangleSurface& surface, unsigned threads = 0) {
+/// The faces coarser than the thickness in those of the `shells` that are too coarse; ascending.
+inline std::vector<Index> too_coarse_faces(const TriangleSurface& surface, const Shells& shells,
+                                           unsigned threads = 0) {
   const SurfaceTree tree(surface);
-  const CoarseShells coarse = find_coarse_shells(surface, tree, threads);
+  const CoarseShells coarse = find_coarse_shells(surface, tree, shells, threads);
   std::vector<Index> faces;
   for (Index f = 0; f < surface.triangles.size(); ++f) {
     if (coarse.has_face(f) && is_coarser_than_thickness(surface, tree, f)) faces.push_back(f);

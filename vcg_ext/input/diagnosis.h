@@ -203,7 +203,7 @@ inline void check_sampling(const TriangleSurface& surface, const Shells& shells,
     Triangle& t = outward.triangles[f];
     if (shells.shells[shells.of_face[f]].signed_volume < 0.0) std::swap(t[1], t[2]);
   }
-  std::vector<Index> faces = too_coarse_faces(outward, threads);
+  std::vector<Index> faces = too_coarse_faces(outward, shells, threads);
   if (faces.empty()) return;
   const std::size_t count = faces.size();
   findings.push_back(make_finding("too_coarse", Severity::kWarning, count, std::move(faces)));

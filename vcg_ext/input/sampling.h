@@ -17,6 +17,7 @@
 #include "vcg_ext/input/coarse_shells.h"
 #include "vcg_ext/input/edge_lengths.h"
 #include "vcg_ext/input/edge_splitter.h"
+#include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/input/refined_surface.h"
 
 namespace mgf {
@@ -89,7 +90,8 @@ inline RefinedSurface refine_sampling(const TriangleSurface& surface,
   const std::size_t count = surface.points.size();
   if (!options.length) {
     const SurfaceTree tree(surface);
-    const CoarseShells coarse = find_coarse_shells(surface, tree, options.threads);
+    const CoarseShells coarse = find_coarse_shells(
+        surface, tree, find_pieces(surface, make_edge_table(surface.triangles)), options.threads);
     if (!coarse.any()) return unrefined(surface);
     return detail::split_by_thickness(surface, tree, coarse, options.threads, progress);
   }

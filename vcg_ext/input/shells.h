@@ -34,9 +34,10 @@ struct Shells {
   std::vector<char> flat;        ///< one per shell: 1 if it encloses no volume but rounding errors
 };
 
-namespace detail {
-
-inline void find_pieces(const TriangleSurface& surface, const EdgeTable& edges, Shells& result) {
+/// The shells of a closed manifold surface by what hangs together: their faces, vertices and genus.
+/// Linear time.
+inline Shells find_pieces(const TriangleSurface& surface, const EdgeTable& edges) {
+  Shells result;
   DisjointSets pieces(surface.triangles.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     for (const FaceSide& side : edges.sides[e]) pieces.join(edges.sides[e].front().face, side.face);
@@ -58,7 +59,10 @@ inline void find_pieces(const TriangleSurface& surface, const EdgeTable& edges, 
   for (Shell& shell : result.shells) {
     shell.genus = 1 - (static_cast<int>(shell.vertices) - static_cast<int>(shell.faces / 2)) / 2;
   }
+  return result;
 }
+
+namespace detail {
 
 inline void measure_volumes(const TriangleSurface& surface, Shells& result) {
   // Thinner than this share of its extent, a shell's volume is a rounding error.
@@ -132,8 +136,7 @@ inline std::vector<std::vector<Index>> containing_shells(
 /// Requires no collinear face. O(n log n) for few shells.
 inline Shells find_shells(const TriangleSurface& surface, const EdgeTable& edges,
                           const std::vector<std::array<Index, 2>>& crossing_faces) {
-  Shells result;
-  detail::find_pieces(surface, edges, result);
+  Shells result = find_pieces(surface, edges);
   detail::measure_volumes(surface, result);
   if (result.shells.size() == 1) return result;
   const auto containing = detail::containing_shells(surface, result, crossing_faces);

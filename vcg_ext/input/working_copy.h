@@ -165,8 +165,7 @@ inline WorkingCopy prepare(const TriangleSurface& input, const Diagnosis& diagno
                            const PreparationOptions& options = {}) {
   require_servable(diagnosis);
   CleanedSurface cleaned = clean_surface(input);
-  Shells pieces;
-  detail::find_pieces(cleaned.surface, make_edge_table(cleaned.surface.triangles), pieces);
+  Shells pieces = find_pieces(cleaned.surface, make_edge_table(cleaned.surface.triangles));
   detail::drop_cavities(diagnosis.shells, pieces.of_face, cleaned);
 
   WorkingCopy copy;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "vcg_ext/core/disjoint_sets.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
@@ -52,8 +53,6 @@ struct DualCells {
   std::size_t vertices = 0;                 ///< tetrahedra
   std::vector<std::array<Index, 2>> edges;  ///< inner faces: the tetrahedra on either side
   Rows<Index> facets;                       ///< inner edges: the inner faces round each
-  std::size_t solids = 0;                   ///< inner vertices
-  std::size_t closed_components = 0;        ///< components without boundary
 };
 
 namespace betti_detail {
@@ -98,8 +97,16 @@ inline bool inner_ring(const std::vector<Tetrahedron>& tetrahedra,
   return true;
 }
 
-inline void count_solids(const std::vector<Tetrahedron>& tetrahedra,
-                         const std::vector<std::array<Index, 4>>& neighbours, DualCells& cells) {
+// How many inner vertices there are, components, and components without boundary.
+struct Solids {
+  std::size_t vertices = 0;
+  std::size_t components = 0;
+  std::size_t closed_components = 0;
+};
+
+inline Solids count_solids(const std::vector<Tetrahedron>& tetrahedra,
+                           const std::vector<std::array<Index, 4>>& neighbours) {
+  Solids solids;
   DisjointSets corners(4 * tetrahedra.size());
   DisjointSets components(tetrahedra.size());
   for (Index t = 0; t < tetrahedra.size(); ++t) {
@@ -125,11 +132,13 @@ inline void count_solids(const std::vector<Tetrahedron>& tetrahedra,
     }
   }
   for (Index c = 0; c < open.size(); ++c) {
-    if (corners.find(c) == c && open[c] == 0) ++cells.solids;
+    if (corners.find(c) == c && open[c] == 0) ++solids.vertices;
   }
   for (Index t = 0; t < tetrahedra.size(); ++t) {
-    if (components.find(t) == t && open_component[t] == 0) ++cells.closed_components;
+    if (components.find(t) == t && open_component[t] == 0) ++solids.closed_components;
   }
+  solids.components = components.count();
+  return solids;
 }
 
 }  // namespace betti_detail
@@ -139,6 +148,9 @@ inline DualCells dual_cells(const std::vector<Tetrahedron>& tetrahedra,
                             const std::vector<std::array<Index, 4>>& neighbours) {
   DualCells cells;
   cells.vertices = tetrahedra.size();
+  cells.edges.reserve(2 * tetrahedra.size());
+  cells.facets.items.reserve(4 * tetrahedra.size());
+  cells.facets.begin.reserve(tetrahedra.size());
   std::vector<std::array<Index, 4>> face_ids(tetrahedra.size(), {kNone, kNone, kNone, kNone});
   for (Index t = 0; t < tetrahedra.size(); ++t) {
     for (unsigned i = 0; i < 4; ++i) {
@@ -164,7 +176,6 @@ inline DualCells dual_cells(const std::vector<Tetrahedron>& tetrahedra,
       }
     }
   }
-  betti_detail::count_solids(tetrahedra, neighbours, cells);
   return cells;
 }
 
@@ -222,17 +233,32 @@ inline std::size_t facet_rank(const DualCells& cells) {
 
 }  // namespace betti_detail
 
-/// Betti numbers over Z/2 of the interior of tetrahedra glued by `neighbours`, a 3-manifold. Linear
-/// time but for the part of the dual complex that no collapse reaches, which is eliminated.
-inline BettiNumbers betti_numbers(const DualCells& cells) {
-  DisjointSets components(cells.vertices);
-  for (const auto& [t, u] : cells.edges) components.join(t, u);
-  const std::size_t b0 = components.count();
-  const std::size_t rank1 = cells.vertices - b0;
-  const std::size_t rank2 = betti_detail::facet_rank(cells);
-  const std::size_t rank3 = cells.solids - cells.closed_components;
-  return {to_index(b0), to_index(cells.edges.size() - rank1 - rank2),
-          to_index(cells.facets.size() - rank2 - rank3)};
+/// What tetrahedra glued by their faces are as a 3-manifold.
+struct GluedTopology {
+  BettiNumbers betti;        ///< over Z/2, of the interior
+  Index inner_vertices = 0;  ///< vertices with no face on the boundary: 3-cells of the dual complex
+};
+
+/// The topology of `tetrahedra` glued by `neighbours`. Requires symmetric adjacency. Linear time
+/// but for the part of the dual complex that no collapse reaches, which is eliminated.
+inline GluedTopology glued_topology(const std::vector<Tetrahedron>& tetrahedra,
+                                    const std::vector<std::array<Index, 4>>& neighbours,
+                                    unsigned threads = 1) {
+  DualCells cells;
+  std::size_t rank2 = 0;
+  betti_detail::Solids solids;
+  parallel_both(
+      threads,
+      [&] {
+        cells = dual_cells(tetrahedra, neighbours);
+        rank2 = betti_detail::facet_rank(cells);
+      },
+      [&] { solids = betti_detail::count_solids(tetrahedra, neighbours); });
+  const std::size_t rank1 = cells.vertices - solids.components;
+  const std::size_t rank3 = solids.vertices - solids.closed_components;
+  return {{to_index(solids.components), to_index(cells.edges.size() - rank1 - rank2),
+           to_index(cells.facets.size() - rank2 - rank3)},
+          to_index(solids.vertices)};
 }
 
 }  // namespace mgf

@@ -7,12 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/spatial_order.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/delaunay.h"
-#include "vcg_ext/medial/constrained_surface.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/principal_frame.h"
+#include "vcg_ext/medial/surface_flips.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
 #include "vcg_ext/medial/topology_certificate.h"
 
@@ -96,32 +97,47 @@ struct BoxedSurface {
   std::vector<Vec3> points;
   TetrahedronArrays delaunay;
   std::vector<Triangle> faces;
+  FlatFlipped flat;  ///< `faces` with flat edges flipped
 };
 
+namespace boxed_detail {
+
+// Fills in what follows from points, of which the box starts at number `own`, and faces.
+inline void prepare_recovery(BoxedSurface& boxed, std::size_t own, unsigned threads) {
+  std::vector<Index> box;
+  for (std::size_t i = 0; i < kBoxCorners; ++i) box.push_back(to_index(own + i));
+  parallel_both(
+      threads, [&] { boxed.delaunay = delaunay_tetrahedra(boxed.points, box); },
+      [&] { boxed.flat = flip_flat_edges(boxed.points, boxed.faces); });
+}
+
+}  // namespace boxed_detail
+
 /// `ordered` in its box.
-inline BoxedSurface boxed(const OrderedSurface& ordered) {
+inline BoxedSurface boxed(const OrderedSurface& ordered, unsigned threads = 1) {
   BoxedSurface result;
   result.points = with_box(ordered);
-  result.delaunay = delaunay_tetrahedra(result.points);
   result.faces = ordered.surface.triangles;
+  boxed_detail::prepare_recovery(result, ordered.surface.points.size(), threads);
   return result;
 }
 
 /// A refinement of `ordered`, whose vertices come first in it, in the same box.
-inline BoxedSurface boxed(const OrderedSurface& ordered, const TriangleSurface& refined) {
+inline BoxedSurface boxed(const OrderedSurface& ordered, const TriangleSurface& refined,
+                          unsigned threads) {
   BoxedSurface result;
   const std::size_t own = ordered.surface.points.size();
   result.points = with_box(ordered);
   result.points.insert(result.points.end(),
                        refined.points.begin() + static_cast<std::ptrdiff_t>(own),
                        refined.points.end());
-  result.delaunay = delaunay_tetrahedra(result.points);
   result.faces = refined.triangles;
   for (Triangle& face : result.faces) {
     for (Index& v : face) {
       if (v >= own) v += static_cast<Index>(kBoxCorners);
     }
   }
+  boxed_detail::prepare_recovery(result, own, threads);
   return result;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -16,9 +17,17 @@ namespace mgf {
 /// Queries cost the number of faces at a vertex.
 class ConstrainedSurface {
  public:
+  /// Of no vertices and no faces.
+  ConstrainedSurface() = default;
+
   /// `point_count` is the number of vertices that may occur in `faces`.
   ConstrainedSurface(std::size_t point_count, std::vector<Triangle> faces)
       : faces_(std::move(faces)), faces_at_(point_count) {
+    std::vector<Index> count(point_count, 0);
+    for (const Triangle& face : faces_) {
+      for (const Index v : face) ++count[v];
+    }
+    for (std::size_t v = 0; v < point_count; ++v) faces_at_[v].reserve(count[v]);
     for (Index f = 0; f < faces_.size(); ++f) {
       for (const Index v : faces_[f]) faces_at_[v].push_back(f);
     }

@@ -9,12 +9,12 @@
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/constrained_surface.h"
-#include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/local_moves.h"
 #include "vcg_ext/medial/obstacle_clearing.h"
 #include "vcg_ext/medial/simplex_split.h"
@@ -29,10 +29,12 @@ namespace mgf {
 /// vertices of the mesh but those of its hull to lie on it.
 class ExactRecovery {
  public:
-  ExactRecovery(TetrahedralMesh& mesh, const std::vector<Triangle>& faces)
+  /// `missing` are the faces that the mesh doesn't have, ascending.
+  ExactRecovery(TetrahedralMesh& mesh, const std::vector<Triangle>& faces,
+                std::vector<Index> missing)
       : mesh_(mesh),
         faces_(faces),
-        missing_(missing_faces(mesh, faces)),
+        missing_(std::move(missing)),
         kept_(mesh.points().size(), faces),
         clearing_(mesh, kept_, kSeed) {}
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/progress.h"
+#include "vcg_ext/core/radix_sort.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/compute_pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
@@ -20,24 +22,24 @@ namespace mgf {
 class PairTable {
  public:
   PairTable() = default;
-  /// Takes pairs a < b in any order, repeated or not.
-  explicit PairTable(std::vector<VertexPair> pairs) : pairs_(std::move(pairs)) {
-    const auto before = [](const VertexPair& p, const VertexPair& q) {
-      return p.a != q.a ? p.a < q.a : p.b < q.b;
-    };
-    const auto same = [](const VertexPair& p, const VertexPair& q) {
-      return p.a == q.a && p.b == q.b;
-    };
-    std::sort(pairs_.begin(), pairs_.end(), before);
-    pairs_.erase(std::unique(pairs_.begin(), pairs_.end(), same), pairs_.end());
-    std::vector<Index> first_ends;
-    first_ends.reserve(pairs_.size());
+  /// Takes pairs a < b in any order, repeated or not. Linear time.
+  explicit PairTable(const std::vector<VertexPair>& pairs) {
+    std::vector<std::uint64_t> keys;
+    keys.reserve(pairs.size());
     Index vertices = 0;
-    for (const VertexPair& pair : pairs_) {
-      first_ends.push_back(pair.a);
+    for (const VertexPair& pair : pairs) {
+      keys.push_back(std::uint64_t{pair.a} << 32U | pair.b);
       vertices = std::max(vertices, pair.b + 1);
     }
-    by_first_end_ = group_by_key(first_ends, vertices);
+    pairs_.reserve(pairs.size());
+    begin_.assign(std::size_t{vertices} + 1, 0);
+    for (const Index i : sorted_by_key(keys)) {
+      const VertexPair& pair = pairs[i];
+      if (!pairs_.empty() && pairs_.back().a == pair.a && pairs_.back().b == pair.b) continue;
+      pairs_.push_back(pair);
+      ++begin_[std::size_t{pair.a} + 1];
+    }
+    for (std::size_t v = 0; v < vertices; ++v) begin_[v + 1] += begin_[v];
   }
 
   const std::vector<VertexPair>& pairs() const { return pairs_; }
@@ -46,16 +48,18 @@ class PairTable {
   Index find(Index u, Index v) const {
     const Index a = std::min(u, v);
     const Index b = std::max(u, v);
-    if (a >= by_first_end_.size()) return kNone;
-    const Row<Index> row = by_first_end_[a];
-    const Index* const found = std::lower_bound(
-        row.begin(), row.end(), b, [this](Index pair, Index end) { return pairs_[pair].b < end; });
-    return found != row.end() && pairs_[*found].b == b ? *found : kNone;
+    if (std::size_t{a} + 1 >= begin_.size()) return kNone;
+    const auto first = pairs_.begin() + begin_[a];
+    const auto last = pairs_.begin() + begin_[std::size_t{a} + 1];
+    const auto found = std::lower_bound(
+        first, last, b, [](const VertexPair& pair, Index end) { return pair.b < end; });
+    if (found == last || found->b != b) return kNone;
+    return to_index(static_cast<std::size_t>(found - pairs_.begin()));
   }
 
  private:
   std::vector<VertexPair> pairs_;
-  Rows<Index> by_first_end_;
+  std::vector<Index> begin_{0};  // of each first end, and the end of the last one's
 };
 
 /// The MGF on the medial complex, and the geodesics it comes from.
@@ -82,7 +86,7 @@ inline PairTable surface_edges(const std::vector<Triangle>& triangles) {
       if (u < v) edges.push_back({u, v});  // its opposite halfedge has u > v
     }
   }
-  return PairTable(std::move(edges));
+  return PairTable(edges);
 }
 
 /// All pairs whose geodesic the later stages need.
@@ -99,18 +103,35 @@ inline PairTable pairs_of_complex(const MedialComplex& complex, const TriangleSu
       }
     }
   }
-  return PairTable(std::move(pairs));
+  return PairTable(pairs);
 }
 
-/// The triples of pairs along which paths are carried on: the sides of the dual triangles.
-inline std::vector<std::array<Index, 3>> links_of_complex(const MedialComplex& complex,
-                                                          const PairTable& table) {
-  std::vector<std::array<Index, 3>> links;
-  links.reserve(complex.edge_count());
-  for (const Triangle& dual : complex.edge_contacts) {
-    links.push_back(
-        {table.find(dual[0], dual[1]), table.find(dual[1], dual[2]), table.find(dual[0], dual[2])});
+/// The number of each facet's pair in `table`.
+inline std::vector<Index> pairs_of_facets(const MedialComplex& complex, const PairTable& table) {
+  std::vector<Index> pairs;
+  pairs.reserve(complex.facet_count());
+  for (const VertexPair& contacts : complex.facet_contacts) {
+    pairs.push_back(table.find(contacts.a, contacts.b));
   }
+  return pairs;
+}
+
+/// The triples of pairs along which paths are carried on: the sides of the dual triangles. The same
+/// for any number of `threads`.
+inline std::vector<std::array<Index, 3>> links_of_complex(const MedialComplex& complex,
+                                                          const PairTable& table,
+                                                          unsigned threads = 1) {
+  constexpr std::size_t kChunk = 4096;
+  const std::vector<Index> pair_of_facet = pairs_of_facets(complex, table);
+  std::vector<std::array<Index, 3>> links(complex.edge_count());
+  parallel_for(links.size(), threads, kChunk, [&](std::size_t e, unsigned) {
+    const auto [a, b, c] = complex.edge_contacts[e];
+    const auto [bc, ca, ab] = complex.edge_facets[e];
+    const auto pair = [&](Index facet, Index u, Index v) {
+      return facet != kNone ? pair_of_facet[facet] : table.find(u, v);
+    };
+    links[e] = {pair(ab, a, b), pair(bc, b, c), pair(ca, a, c)};
+  });
   return links;
 }
 
@@ -135,18 +156,22 @@ inline MedialGeodesicField evaluate_medial_geodesic_function(const TriangleSurfa
                                                              const Progress& progress) {
   MedialGeodesicField field;
   field.table = detail::pairs_of_complex(complex, surface);
-  const std::vector<std::array<Index, 3>> links = detail::links_of_complex(complex, field.table);
+  const unsigned threads = thread_count(options.threads);
+  const std::vector<std::array<Index, 3>> links =
+      detail::links_of_complex(complex, field.table, threads);
   field.geodesics = compute_pair_geodesics(surface, field.table.pairs(), links, options, progress);
 
-  field.mgf.reserve(complex.facet_count());
-  field.gradient.reserve(complex.facet_count());
-  for (const VertexPair& contacts : complex.facet_contacts) {
+  constexpr std::size_t kChunk = 4096;
+  field.mgf.resize(complex.facet_count());
+  field.gradient.resize(complex.facet_count());
+  parallel_for(complex.facet_count(), threads, kChunk, [&](std::size_t facet, unsigned) {
+    const VertexPair& contacts = complex.facet_contacts[facet];
     const Index pair = field.table.find(contacts.a, contacts.b);
-    field.mgf.push_back(field.geodesics.length[pair]);
-    field.gradient.push_back(
+    field.mgf[facet] = field.geodesics.length[pair];
+    field.gradient[facet] =
         detail::mgf_gradient(surface.points[contacts.b] - surface.points[contacts.a],
-                             field.geodesics.tangent_a[pair], field.geodesics.tangent_b[pair]));
-  }
+                             field.geodesics.tangent_a[pair], field.geodesics.tangent_b[pair]);
+  });
   return field;
 }
 

@@ -86,13 +86,16 @@ inline bool is_flat(const InteriorTetrahedra& interior, Index t) {
 
 /// Puts the Voronoi vertices of flat tetrahedra between those of their neighbours, where exact
 /// arithmetic would have them, in rounds outward; at the centroid if no neighbour has a place.
-inline void place_flat_tetrahedra(const InteriorTetrahedra& interior, MedialComplex& complex) {
+inline void place_flat_tetrahedra(const InteriorTetrahedra& interior, unsigned threads,
+                                  MedialComplex& complex) {
+  constexpr std::size_t kChunk = 4096;
   std::vector<char> placed(complex.vertex_count(), 1);
+  parallel_for(placed.size(), threads, kChunk, [&](std::size_t t, unsigned) {
+    placed[t] = is_flat(interior, to_index(t)) ? 0 : 1;
+  });
   std::vector<Index> open;
   for (Index t = 0; t < complex.vertex_count(); ++t) {
-    if (!is_flat(interior, t)) continue;
-    placed[t] = 0;
-    open.push_back(t);
+    if (placed[t] == 0) open.push_back(t);
   }
   while (!open.empty()) {
     std::vector<Index> settled;
@@ -138,9 +141,10 @@ inline void place_voronoi_vertices(const InteriorTetrahedra& interior, MedialCom
   constexpr double kKeptShare = 0.9;
   constexpr std::size_t kStepLimit = 1000;
   constexpr std::size_t kChunk = 1024;
-  detail::place_flat_tetrahedra(interior, complex);
+  threads = thread_count(threads);
+  detail::place_flat_tetrahedra(interior, threads, complex);
   const double far_away = 2.0 * bounding_box_diagonal(interior.points);
-  parallel_for(complex.vertex_count(), thread_count(threads), kChunk, [&](std::size_t i, unsigned) {
+  parallel_for(complex.vertex_count(), threads, kChunk, [&](std::size_t i, unsigned) {
     const Index t = to_index(i);
     const Vec3 centroid = tetrahedron_centroid(interior, t);
     Vec3& position = complex.position[t];

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/autorefine.h"
@@ -44,14 +45,17 @@ class Attempts {
       : surface_(surface),
         options_(options),
         progress_(std::move(progress)),
-        expected_(expected_betti_numbers(surface)),
-        ordered_(in_spatial_order(surface)) {}
+        threads_(thread_count(options.threads)) {
+    parallel_both(
+        threads_, [&] { ordered_ = in_spatial_order(surface_); },
+        [&] { expected_ = expected_betti_numbers(surface_); });
+  }
 
   void run() {
     if (options_.known_crossings > kFewCrossings && cut_along_crossings()) return;
-    const BoxedSurface plain = boxed(ordered_);
+    const BoxedSurface plain = boxed(ordered_, threads_);
     if (options_.known_crossings == 0) {
-      consider(recover_exactly(plain, !options_.recover_input_surface, progress_));
+      consider(recover_exactly(plain, !options_.recover_input_surface, progress_, threads_));
       if (verdict() == TopologyVerdict::kProven) return;  // unless the surface crosses itself
     }
     attempt(plain, kPlainAttempt);
@@ -74,8 +78,7 @@ class Attempts {
 
   void consider(const RecoveredMesh& recovered) {
     InteriorTetrahedra found =
-        choose_interior(recovered, ordered_, surface_, expected_, options_.lift_overlaps,
-                        thread_count(options_.threads));
+        choose_interior(recovered, ordered_, surface_, expected_, options_.lift_overlaps, threads_);
     if (!best_ || shortfall(found) < shortfall(*best_)) best_ = std::move(found);
   }
 
@@ -83,7 +86,7 @@ class Attempts {
   bool cut_along_crossings() {
     const std::optional<TriangleSurface> refined = autorefined(ordered_.surface);
     if (!refined) return false;
-    const BoxedSurface soup = boxed(ordered_, *refined);
+    const BoxedSurface soup = boxed(ordered_, *refined, threads_);
     for (const AttemptOptions& way : kSoupAttempts) {
       if (attempt(soup, way) || verdict() != TopologyVerdict::kFailed) return true;
     }
@@ -93,6 +96,7 @@ class Attempts {
   const TriangleSurface& surface_;
   const RecoveryOptions& options_;
   Progress progress_;
+  unsigned threads_;
   BettiNumbers expected_;
   OrderedSurface ordered_;
   std::optional<InteriorTetrahedra> best_;

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
@@ -11,6 +13,7 @@
 #include "vcg_ext/medial/boxed_surface.h"
 #include "vcg_ext/medial/constrained_surface.h"
 #include "vcg_ext/medial/exact_recovery.h"
+#include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/lawson_cleanup.h"
 #include "vcg_ext/medial/surface_flips.h"
 #include "vcg_ext/medial/tetrahedral_mesh.h"
@@ -36,15 +39,20 @@ struct RecoveredMesh {
   Index points_added = 0;  ///< by recovery and before it
 };
 
+/// The Delaunay tetrahedralisation beside T, or T with its flat edges flipped.
+inline RecoveredMesh recovery_start(const BoxedSurface& boxed, bool flat_flips) {
+  return {TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
+          flat_flips ? boxed.flat.surface : ConstrainedSurface(boxed.points.size(), boxed.faces),
+          false, flat_flips ? boxed.flat.flips : 0};
+}
+
 /// Flips T towards the mesh and recovers it. Bounded work; incomplete if the bounds didn't do.
 inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOptions& options,
                                       const Progress& progress) {
-  RecoveredMesh result{
-      TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
-      ConstrainedSurface(boxed.points.size(), boxed.faces)};
-  SurfaceFlipper flipper(boxed.points, result.surface);
-  if (options.flat_flips) result.surface_flips += flipper.flip_coplanar();
-  if (options.guided_flips) result.surface_flips += flipper.flip_towards(result.mesh);
+  RecoveredMesh result = recovery_start(boxed, options.flat_flips);
+  if (options.guided_flips) {
+    result.surface_flips += SurfaceFlipper(boxed.points, result.surface).flip_towards(result.mesh);
+  }
   // Ten times what was seen of surfaces that could be recovered (1 a point); those that can't be
   // went on to 200.
   constexpr int kSpareAttempts = 20'000;
@@ -67,17 +75,18 @@ inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOp
 /// Flips T towards the mesh, which is an isotopy, if `flip_surface`; then as many points exactly on
 /// T' as it takes. Complete for each surface that doesn't cross itself (docs/topology.md).
 inline RecoveredMesh recover_exactly(const BoxedSurface& boxed, bool flip_surface,
-                                     const Progress& progress) {
-  RecoveredMesh result{
-      TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
-      ConstrainedSurface(boxed.points.size(), boxed.faces)};
+                                     const Progress& progress, unsigned threads = 1) {
+  RecoveredMesh result = recovery_start(boxed, flip_surface);
+  std::vector<Index> missing;
   if (flip_surface) {
     SurfaceFlipper flipper(boxed.points, result.surface);
-    result.surface_flips += flipper.flip_coplanar();
-    result.surface_flips += flipper.flip_towards(result.mesh);
+    result.surface_flips += flipper.flip_towards(result.mesh, threads);
+    missing = flipper.missing();
+  } else {
+    missing = missing_faces(result.mesh, boxed.faces, threads);
   }
   const std::vector<Triangle> faces = result.surface.faces();
-  const auto parts = ExactRecovery(result.mesh, faces).run(progress);
+  const auto parts = ExactRecovery(result.mesh, faces, std::move(missing)).run(progress);
   result.points_added = to_index(result.mesh.exact_point_count());
   if (!parts) return result;
   result.complete = true;

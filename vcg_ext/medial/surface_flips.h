@@ -34,16 +34,25 @@ class SurfaceFlipper {
 
   /// Flips edges so that more of the surface's faces and edges are in `delaunay`, a mesh of the
   /// same points. No normal turns by more than 30 degrees. Returns the number of flips.
-  Index flip_towards(const TetrahedralMesh& delaunay) {
+  Index flip_towards(const TetrahedralMesh& delaunay, unsigned threads = 1) {
     parent_normal_.clear();
     for (const Triangle& face : surface_.faces()) parent_normal_.push_back(normal(face));
     is_present_.assign(surface_.faces().size(), 1);
-    for (const Index f : missing_faces(delaunay, surface_.faces())) {
+    for (const Index f : missing_faces(delaunay, surface_.faces(), threads)) {
       is_present_[f] = 0;
       enqueue(f);
     }
     return run([&](const EdgePair& e) { return is_gentle(e) && gains(delaunay, e); },
                [&](Index f) { is_present_[f] = has_face(delaunay, surface_.face(f)); });
+  }
+
+  /// After `flip_towards`, the faces that the mesh still doesn't have, ascending.
+  std::vector<Index> missing() const {
+    std::vector<Index> result;
+    for (Index f = 0; f < is_present_.size(); ++f) {
+      if (is_present_[f] == 0) result.push_back(f);
+    }
+    return result;
   }
 
  private:
@@ -210,5 +219,19 @@ class SurfaceFlipper {
   std::vector<char> queued_;
   std::vector<Index> queue_;
 };
+
+/// A surface with flat edges flipped.
+struct FlatFlipped {
+  ConstrainedSurface surface;
+  Index flips = 0;
+};
+
+/// `faces`, with corners numbered as `points`, after `SurfaceFlipper::flip_coplanar`.
+inline FlatFlipped flip_flat_edges(const std::vector<Vec3>& points,
+                                   const std::vector<Triangle>& faces) {
+  FlatFlipped result{ConstrainedSurface(points.size(), faces)};
+  result.flips = SurfaceFlipper(points, result.surface).flip_coplanar();
+  return result;
+}
 
 }  // namespace mgf

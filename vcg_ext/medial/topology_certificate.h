@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
+#include "vcg_ext/core/radix_sort.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/predicates.h"
 #include "vcg_ext/medial/betti.h"
@@ -23,10 +26,24 @@ inline Triangle canonical(const Triangle& t) {
   return {t[lowest], t[(lowest + 1) % 3], t[(lowest + 2) % 3]};
 }
 
-inline std::vector<Triangle> canonical_sorted(std::vector<Triangle> faces) {
-  std::transform(faces.begin(), faces.end(), faces.begin(), canonical);
-  std::sort(faces.begin(), faces.end());
-  return faces;
+inline std::vector<Triangle> canonical_sorted(const std::vector<Triangle>& faces) {
+  std::vector<Triangle> turned;
+  std::vector<std::uint64_t> keys;  // the first two corners; nearly always that tells faces apart
+  turned.reserve(faces.size());
+  keys.reserve(faces.size());
+  for (const Triangle& face : faces) {
+    turned.push_back(canonical(face));
+    keys.push_back(std::uint64_t{turned.back()[0]} << 32U | turned.back()[1]);
+  }
+  std::vector<Triangle> sorted;
+  sorted.reserve(faces.size());
+  for (const Index f : sorted_by_key(keys)) {
+    sorted.push_back(turned[f]);
+    for (std::size_t i = sorted.size() - 1; i > 0 && sorted[i] < sorted[i - 1]; --i) {
+      std::swap(sorted[i], sorted[i - 1]);
+    }
+  }
+  return sorted;
 }
 
 /// Fills `interior.boundary` with the faces glued to nothing, outward.
@@ -126,13 +143,6 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
   TopologyCertificate& certificate = interior.certificate;
   bool glued = false;
   bool manifold = false;
-  const auto count_topology = [&] {
-    glued = certificate_detail::asymmetries(interior) == 0;
-    if (!glued) return;
-    const DualCells cells = dual_cells(interior.tetrahedra, interior.neighbours);
-    certificate.interior_vertices = to_index(cells.solids);
-    certificate.betti = betti_numbers(cells);
-  };
   const auto compare_surfaces = [&] {
     const Index flat = certificate_detail::not_positive(interior);
     (certificate.exact_points == 0 ? certificate.tetrahedra_not_positive
@@ -143,7 +153,13 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
     certificate.boundary_faces_extra = certificate_detail::count_difference(found, wanted);
     manifold = certificate_detail::is_manifold(found, interior.points.size());
   };
-  parallel_both(threads, count_topology, compare_surfaces);
+  parallel_both(
+      threads, [&] { glued = certificate_detail::asymmetries(interior) == 0; }, compare_surfaces);
+  if (glued) {
+    const GluedTopology found = glued_topology(interior.tetrahedra, interior.neighbours, threads);
+    certificate.betti = found.betti;
+    certificate.interior_vertices = found.inner_vertices;
+  }
   const bool counted = glued && certificate.betti == certificate.expected;
   const bool proven =
       counted && embedded && certificate.boundary_faces_missing == 0 &&

@@ -34,10 +34,20 @@ inline bool same_orientation(const Triangle& f, const Triangle& g) {
 inline void find_walls(const TetrahedralMesh& mesh, const std::vector<Triangle>& faces,
                        WindingNumbers& result) {
   std::vector<char> found(faces.size(), 0);
-  visit_common_faces(mesh, faces, [&](Index f, Index t, unsigned i) {
+  const auto add = [](std::int8_t& turns, int sign) {
+    turns = static_cast<std::int8_t>(turns + sign);
+  };
+  visit_common_faces(mesh, faces, 1, [&](Index f, Index t, unsigned i) {
     found[f] = 1;
     const int sign = same_orientation(faces[f], face_of(mesh.corners(t), i)) ? 1 : -1;
-    result.walls[t][i] = static_cast<std::int8_t>(result.walls[t][i] + sign);
+    add(result.walls[t][i], sign);
+    const Index u = mesh.neighbour(t, i);
+    if (u == kNone) return;
+    for (unsigned j = 0; j < 4; ++j) {
+      if (mesh.neighbour(u, j) == t && is_glued(mesh.corners(t), i, mesh.corners(u), j)) {
+        add(result.walls[u][j], -sign);
+      }
+    }
   });
   result.faces_missing =
       to_index(static_cast<std::size_t>(std::count(found.begin(), found.end(), 0)));

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
+#include <cstdint>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
+#include "vcg_ext/core/radix_sort.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/medial_complex.h"
 
@@ -104,10 +105,10 @@ class CellSorter {
       lone_edges.push_back(e);
       value_of.push_back(longest_side(e));
     }
-    std::vector<Index> sources(value_of.size());  // of values: a facet, or facets + a lone edge
-    std::iota(sources.begin(), sources.end(), Index{0});
-    std::sort(sources.begin(), sources.end(),
-              [&](Index p, Index q) { return value_of[p] > value_of[q]; });
+    std::vector<std::uint64_t> keys;
+    keys.reserve(value_of.size());
+    for (const double value : value_of) keys.push_back(descending_key(value));
+    const std::vector<Index> sources = sorted_by_key(keys);  // a facet, or facets + a lone edge
 
     groups_.items.reserve(complex_.edge_count() + complex_.vertex_count());
     Index level = to_index(sources.size());

@@ -99,8 +99,11 @@ inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& inte
                                                   const SkeletonOptions& options,
                                                   const ShapeInterior& shape) {
   const unsigned threads = thread_count(options.threads);
-  const ErosionOrder order = order_cells(complex, field.mgf, surface.points, threads);
-  const std::vector<double> score = divergence_scores(complex, field, surface, threads);
+  ErosionOrder order;
+  std::vector<double> score;
+  parallel_both(
+      threads, [&] { order = order_cells(complex, field.mgf, surface.points, 1); },
+      [&] { score = divergence_scores(complex, field, surface, 1); });
   const std::vector<Index> marks =
       choose_marks(complex, score, order.edge_rank, kLoosestTheta, options.marking_rule);
   const ErodedComplex eroded =
