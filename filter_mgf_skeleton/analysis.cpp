@@ -33,8 +33,7 @@ void fill_untouched(const std::vector<Triangle>& triangles, std::vector<double>&
 
 SkeletonLevel skeleton_level(const SkeletonHierarchy& hierarchy, double theta, double prune) {
   SkeletonLevel level;
-  level.skeleton =
-      prune_leaf_branches(skeleton_at_theta(hierarchy.full, hierarchy.last_nodes, theta), prune);
+  level.skeleton = skeleton_at(hierarchy, theta, prune);
   level.graph = build_branches(level.skeleton);
   return level;
 }

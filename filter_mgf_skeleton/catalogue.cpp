@@ -40,7 +40,8 @@ const Parameter& prune() {
       {},
       "Pruning",
       "A branch that ends freely is dropped when it reaches out of the body it grows from by less "
-      "than this many of the body's radii. 0 keeps every branch, as in the paper."};
+      "than this many of the body's radii, or ends within three edges of the mesh. 0 keeps every "
+      "branch, as in the paper."};
   return parameter;
 }
 

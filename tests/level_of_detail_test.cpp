@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "vcg_ext/skeleton/skeleton_hierarchy.h"
 
 namespace mgf::test {
@@ -43,6 +46,12 @@ Index add_chain(CurveSkeleton& skeleton, Index start, const Vec3& direction, int
   return node;
 }
 
+/// What pruning leaves where the surface's edges, all of that length, are next to nothing, or not.
+CurveSkeleton pruned_twigs(const CurveSkeleton& skeleton, double least_significance,
+                           double edge_length = 0.0) {
+  return prune_leaf_branches(skeleton, {edge_length, edge_length, edge_length}, least_significance);
+}
+
 Index leaves(const CurveSkeleton& skeleton) {
   const Rows<Index> edges = edges_of_nodes(skeleton);
   Index count = 0;
@@ -77,9 +86,9 @@ TEST(Prune, RemovesASpurInsideTheTubeAndKeepsALimb) {
   add_chain(skeleton, root, 0.2 * Vec3::UnitY(), 2);  // 0.4 of the tube's radius
   add_chain(skeleton, root, Vec3::UnitZ(), 5);
   ASSERT_EQ(leaves(skeleton), 4U);
-  EXPECT_EQ(leaves(prune_leaf_branches(skeleton, 0.3)), 4U);
-  EXPECT_EQ(leaves(prune_leaf_branches(skeleton, 0.5)), 3U);
-  EXPECT_EQ(prune_leaf_branches(skeleton, 0.5).edge_count(), 25U);
+  EXPECT_EQ(leaves(pruned_twigs(skeleton, 0.3)), 4U);
+  EXPECT_EQ(leaves(pruned_twigs(skeleton, 0.5)), 3U);
+  EXPECT_EQ(pruned_twigs(skeleton, 0.5).edge_count(), 25U);
 }
 
 TEST(Prune, JudgesWhatMergedAsOneBranch) {
@@ -93,7 +102,7 @@ TEST(Prune, JudgesWhatMergedAsOneBranch) {
     joint = add_chain(skeleton, joint, 0.6 * Vec3::UnitZ(), 1);
     add_chain(skeleton, joint, 0.1 * Vec3::UnitY(), 1);
   }
-  const CurveSkeleton pruned = prune_leaf_branches(skeleton, 1.0);
+  const CurveSkeleton pruned = pruned_twigs(skeleton, 1.0);
   EXPECT_EQ(leaves(pruned), 3U);
   EXPECT_GE(pruned.edge_count(), 23U);
 }
@@ -105,13 +114,13 @@ TEST(Prune, KeepsLoopsAndTheLastBranch) {
   end = add_chain(loop, end, Vec3::UnitY(), 3);
   add_edge(loop, end, start);
   add_chain(loop, start, -0.1 * Vec3::UnitX(), 1);
-  const CurveSkeleton pruned = prune_leaf_branches(loop, 100.0);
+  const CurveSkeleton pruned = pruned_twigs(loop, 100.0);
   EXPECT_EQ(pruned.edge_count(), 7U);
   EXPECT_EQ(betti_numbers(pruned).b1, 1U);
 
   CurveSkeleton line;
   add_chain(line, add_node(line, Vec3::Zero()), 0.01 * Vec3::UnitX(), 3);
-  EXPECT_EQ(prune_leaf_branches(line, 100.0).edge_count(), 3U);
+  EXPECT_EQ(pruned_twigs(line, 100.0).edge_count(), 3U);
 }
 
 TEST(Prune, RemovesASprayThatEndsAtTheSurface) {
@@ -129,7 +138,7 @@ TEST(Prune, RemovesASprayThatEndsAtTheSurface) {
   }
   skeleton.radius[fork] = 0.02;
   ASSERT_EQ(leaves(skeleton), 4U);
-  const CurveSkeleton pruned = prune_leaf_branches(skeleton, 0.3);
+  const CurveSkeleton pruned = pruned_twigs(skeleton, 0.3);
   EXPECT_EQ(leaves(pruned), 2U);
   EXPECT_EQ(pruned.edge_count(), 20U);
 }
@@ -143,7 +152,39 @@ TEST(Prune, TakesReachNotLength) {
   for (int i = 0; i < 20; ++i) {  // four radii long, and never a quarter radius away
     node = add_chain(skeleton, node, Vec3(0, 0.01, i % 2 == 0 ? 0.2 : -0.2), 1);
   }
-  EXPECT_EQ(leaves(prune_leaf_branches(skeleton, 0.3)), 2U);
+  EXPECT_EQ(leaves(pruned_twigs(skeleton, 0.3)), 2U);
+}
+
+TEST(Prune, AsksForTwigsThatTheMeshResolves) {
+  CurveSkeleton skeleton;
+  const Index root = add_node(skeleton, Vec3::Zero());
+  add_chain(skeleton, root, Vec3::UnitX(), 10);
+  add_chain(skeleton, root, -Vec3::UnitX(), 10);
+  add_chain(skeleton, root, Vec3::UnitY(), 1);  // ends two radii from the root
+  EXPECT_EQ(leaves(pruned_twigs(skeleton, 0.3, 2 / 2.75)), 3U);
+  EXPECT_EQ(leaves(pruned_twigs(skeleton, 0.3, 2 / 2.65)), 2U);
+  EXPECT_EQ(leaves(pruned_twigs(skeleton, 0.0, 2 / 2.65)), 3U);
+}
+
+TEST(Prune, KnowsTheEdgesOfTheSurfaceAtItsNodes) {
+  TriangleSurface tetrahedron;
+  tetrahedron.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {5, 5, 5}};
+  tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  const std::vector<double> spacing = contact_spacing(tetrahedron);
+  const double side = (1 + 2 * std::sqrt(2.0)) / 3;
+  EXPECT_DOUBLE_EQ(spacing[0], 1.0);
+  EXPECT_DOUBLE_EQ(spacing[1], side);
+  EXPECT_DOUBLE_EQ(spacing[4], 0.0);
+
+  CurveSkeleton skeleton;
+  add_chain(skeleton, add_node(skeleton, Vec3::Zero()), Vec3::UnitX(), 2);
+  add_node(skeleton, 9 * Vec3::UnitX());
+  skeleton.contacts = {{0, 0, 0}, {1, 2, 3}};
+  const std::vector<double> at_nodes = spacing_at_nodes(skeleton, spacing);
+  EXPECT_DOUBLE_EQ(at_nodes[0], 1.0);
+  EXPECT_DOUBLE_EQ(at_nodes[1], (1 + side) / 2);
+  EXPECT_DOUBLE_EQ(at_nodes[2], side);
+  EXPECT_DOUBLE_EQ(at_nodes[3], 0.0);
 }
 
 TEST(Prune, ZeroKeepsThePapersOutput) {
@@ -152,7 +193,7 @@ TEST(Prune, ZeroKeepsThePapersOutput) {
   add_chain(skeleton, root, Vec3::UnitX(), 3);
   add_chain(skeleton, root, Vec3::UnitY(), 3);
   add_chain(skeleton, root, 1e-3 * Vec3::UnitZ(), 1);
-  EXPECT_EQ(prune_leaf_branches(skeleton, 0.0).edge_count(), 7U);
+  EXPECT_EQ(pruned_twigs(skeleton, 0.0).edge_count(), 7U);
 }
 
 TEST(GraphEdits, ContractsShortEdgesButNoLoop) {

@@ -10,6 +10,7 @@
 
 #include "vcg_ext/core/constants.h"
 #include "vcg_ext/core/types.h"
+#include "vcg_ext/skeleton/contact_spacing.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/graph_edits.h"
 
@@ -33,11 +34,16 @@ inline CurveSkeleton skeleton_at_theta(const CurveSkeleton& full,
 
 namespace detail {
 
+/// What hangs on a junction ends at least this many edges of the surface away from it, or the
+/// surface's sampling doesn't tell it from noise.
+inline constexpr double kResolvedEdges = 2.7;
+
 /// Removes what hangs on a junction by one edge and hardly leaves the junction's ball.
 class TwigPruner {
  public:
-  explicit TwigPruner(const CurveSkeleton& skeleton)
+  TwigPruner(const CurveSkeleton& skeleton, const std::vector<double>& contact_spacing)
       : skeleton_(skeleton),
+        spacing_(spacing_at_nodes(skeleton, contact_spacing)),
         edges_(edges_of_nodes(skeleton)),
         keep_node_(skeleton.node_count(), 1),
         keep_edge_(skeleton.edge_count(), 1),
@@ -68,12 +74,15 @@ class TwigPruner {
     return std::max(skeleton_.node_mgf[node] / kPi, skeleton_.radius[node]);
   }
 
-  /// How far the tube at `node` sticks out of that at `junction`, in radii of the latter.
+  /// How far the tube at `node` sticks out of that at `junction`, in radii of the latter; minus
+  /// infinity where it ends too few edges of the surface away to be told from noise.
   double reach(Index junction, Index node) const {
     const double radius = tube_radius(junction);
-    const double beyond = (skeleton_.position[node] - skeleton_.position[junction]).norm() +
-                          tube_radius(node) - radius;
-    return radius > 0.0 ? beyond / radius : std::numeric_limits<double>::infinity();
+    const double end =
+        (skeleton_.position[node] - skeleton_.position[junction]).norm() + tube_radius(node);
+    const double edge_length = std::max(spacing_[junction], spacing_[node]);
+    if (end < kResolvedEdges * edge_length) return -std::numeric_limits<double>::infinity();
+    return radius > 0.0 ? (end - radius) / radius : std::numeric_limits<double>::infinity();
   }
 
   /// The furthest reach of what hangs on a junction by `edge`, whose edges it leaves in `twig_`;
@@ -135,6 +144,7 @@ class TwigPruner {
   }
 
   const CurveSkeleton& skeleton_;
+  std::vector<double> spacing_;  ///< of the surface, one per node
   Rows<Index> edges_;
   std::vector<char> keep_node_;
   std::vector<char> keep_edge_;
@@ -150,12 +160,16 @@ class TwigPruner {
 /// Drops what hangs on a junction j by one edge, a leaf branch or a tree of them, and sticks out of
 /// the tube there by less than `least_significance` times its radius ρ(j): for all of its nodes x
 /// (|x − j| + ρ(x) − ρ(j)) / ρ(j) is less, where ρ is the larger of MGF / π and the radius of the
-/// node's ball. So it has no unit. The least significant goes first; two branches left at a
+/// node's ball. So it has no unit. Nodes count only where |x − j| + ρ(x) is at least 2.7 edges of
+/// the surface at j and x: nearer, noise of the samples makes twigs as large. `contact_spacing` has
+/// the length of edges at each contact. The least significant goes first; two branches left at a
 /// junction become one, and what is left is judged anew. Loops, and a path between two tips, stay.
 /// 0 drops nothing. Each junction looks at the nodes within its reach.
-inline CurveSkeleton prune_leaf_branches(const CurveSkeleton& skeleton, double least_significance) {
+inline CurveSkeleton prune_leaf_branches(const CurveSkeleton& skeleton,
+                                         const std::vector<double>& contact_spacing,
+                                         double least_significance) {
   if (least_significance <= 0.0) return skeleton;
-  return detail::TwigPruner(skeleton).prune(least_significance);
+  return detail::TwigPruner(skeleton, contact_spacing).prune(least_significance);
 }
 
 }  // namespace mgf

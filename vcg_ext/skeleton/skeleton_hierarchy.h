@@ -12,6 +12,7 @@
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/medial_complex.h"
 #include "vcg_ext/medial/medial_geodesic_function.h"
+#include "vcg_ext/skeleton/contact_spacing.h"
 #include "vcg_ext/skeleton/curve_skeleton.h"
 #include "vcg_ext/skeleton/erosion.h"
 #include "vcg_ext/skeleton/erosion_order.h"
@@ -43,10 +44,11 @@ struct SkeletonOptions {
 struct SkeletonHierarchy {
   CurveSkeleton full;             ///< at the loosest theta; edges carry `theta_birth`
   std::vector<Index> last_nodes;  ///< of `full`: what remains of each tree when every mark is gone
-  Index residual_facets = 0;      ///< facets that no collapse could reach: a closed pocket
-  Index pockets_opened = 0;       ///< facets given up by `open_pockets`, each a change of homotopy
-  BettiNumbers betti;             ///< of `full` (b2: always 0); equal to the interior's unless
-                                  ///< facets are left or pockets were opened
+  std::vector<double> contact_spacing;  ///< length of the surface's edges, one per contact
+  Index residual_facets = 0;            ///< facets that no collapse could reach: a closed pocket
+  Index pockets_opened = 0;  ///< facets given up by `open_pockets`, each a change of homotopy
+  BettiNumbers betti;        ///< of `full` (b2: always 0); equal to the interior's unless
+                             ///< facets are left or pockets were opened
 };
 
 /// Betti numbers of a graph.
@@ -116,6 +118,7 @@ inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& inte
   SkeletonHierarchy hierarchy;
   hierarchy.full = std::move(drawing.skeleton);
   hierarchy.last_nodes = std::move(drawing.last_nodes);
+  hierarchy.contact_spacing = contact_spacing(surface);
   fill_undefined_eccentricity(hierarchy.full);
   average_eccentricity(hierarchy.full);
   hierarchy.residual_facets = eroded.residual_facets;
@@ -127,7 +130,8 @@ inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& inte
 /// The skeleton at `theta` without its insignificant leaf branches. Node averages are those of
 /// `full`. Linear in the skeleton but for the pruning's logarithm.
 inline CurveSkeleton skeleton_at(const SkeletonHierarchy& hierarchy, double theta, double prune) {
-  return prune_leaf_branches(skeleton_at_theta(hierarchy.full, hierarchy.last_nodes, theta), prune);
+  return prune_leaf_branches(skeleton_at_theta(hierarchy.full, hierarchy.last_nodes, theta),
+                             hierarchy.contact_spacing, prune);
 }
 
 }  // namespace mgf
