@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "tests/fixtures.h"
@@ -122,8 +125,51 @@ TEST(ExactRecovery, StopsWhenAsked) {
   const BoxedSurface plain = boxed(ordered);
   int reports = 0;
   const Progress impatient([&](double, const char*) { return ++reports < 20; });
-  EXPECT_THROW(recover_exactly(plain, false, impatient), Cancelled);
+  EXPECT_THROW(recover_exactly(plain, false, work_bounds(0, 1.0), impatient), Cancelled);
   EXPECT_EQ(reports, 20);
+}
+
+TEST(ExactRecovery, AddsPointsOnceItsAttemptsAreSpent) {
+  const BoxedSurface plain = boxed(in_spatial_order(squeezed(torus(40, 16, 1.0, 0.3))));
+  const auto points_added = [&](const ExactRecoveryLimits& limits) {
+    TetrahedralMesh mesh(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
+    ExactRecovery recovery(mesh, plain.faces, limits);
+    EXPECT_TRUE(recovery.run({}).has_value());
+    EXPECT_FALSE(recovery.spent());
+    return mesh.exact_point_count();
+  };
+  ExactRecoveryLimits limits;
+  const std::size_t unbounded = points_added(limits);
+  limits.recursive_attempts = 0;
+  EXPECT_GT(points_added(limits), unbounded);
+}
+
+TEST(ExactRecovery, ProvesAWingOfNeedles) {
+  MedialAxisOptions options;
+  const TopologyCertificate certificate =
+      compute_medial_axis(wing(1000, 1.0), options).interior.certificate;
+  EXPECT_EQ(certificate.topology, TopologyVerdict::kProven);
+  EXPECT_GT(certificate.exact_points, 0U);
+}
+
+TEST(ExactRecovery, EndsWhenItsStepsAreSpent) {
+  const BoxedSurface plain = boxed(in_spatial_order(squeezed(torus(40, 16, 1.0, 0.3))));
+  const auto steps_of = [&](std::uint64_t limit) {
+    TetrahedralMesh mesh(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
+    ExactRecoveryLimits limits;
+    limits.steps = limit;
+    ExactRecovery recovery(mesh, plain.faces, limits);
+    const bool complete = recovery.run({}).has_value();
+    EXPECT_EQ(complete, !recovery.spent());
+    EXPECT_TRUE(is_triangulated_box(mesh, kBoxFaces));
+    return recovery.steps();
+  };
+  const std::uint64_t all = steps_of(std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(steps_of(all), all);
+  for (const std::uint64_t part : {2U, 10U, 100U}) {
+    EXPECT_GT(steps_of(all / part), all / part);
+    EXPECT_LT(steps_of(all / part), all);
+  }
 }
 
 // A surface through itself: the pieces of it meet inside faces, so that some are left out.
@@ -131,7 +177,7 @@ TEST(ExactRecovery, EndsOnASurfaceThatCrossesItself) {
   const TriangleSurface two = joined(sphere(1), moved(turned(sphere(1)), Vec3(0.9, 0.1, 0.2)));
   const OrderedSurface ordered = in_spatial_order(two);
   const InteriorTetrahedra interior =
-      choose_interior(recover_exactly(boxed(ordered), false, {}), ordered, two,
+      choose_interior(recover_exactly(boxed(ordered), false, work_bounds(0, 1.0), {}), ordered, two,
                       expected_betti_numbers(two), false, 1);
   EXPECT_NE(interior.certificate.topology, TopologyVerdict::kProven);
 }

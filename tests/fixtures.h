@@ -61,6 +61,26 @@ inline TriangleSurface coarse_cylinder(Index sides, double radius, double height
   return extruded(ring, cap, height);
 }
 
+/// A NACA 0012 profile of `count` points (even) and chord 1, extruded: needles from end to end.
+inline TriangleSurface wing(Index count, double span) {
+  const Index half = count / 2;
+  std::vector<std::array<double, 2>> ring;  // from the trailing edge along the upper side and back
+  for (Index i = 0; i < count; ++i) {
+    const double x = 0.5 * (1.0 + std::cos(2.0 * kPi * i / count));
+    const double y =
+        0.6 * (0.2969 * std::sqrt(x) + x * (-0.1260 + x * (-0.3516 + x * (0.2843 + x * -0.1036))));
+    ring.push_back({x, i == 0 ? 0.0 : (i <= half ? y : -y)});
+  }
+  std::vector<Triangle> cap;
+  for (Index i = 0; i < half; ++i) {
+    const Index below = (count - i) % count;
+    const Index next_below = count - i - 1;
+    if (i > 0) cap.push_back({i, i + 1, below});
+    if (i + 1 < half) cap.push_back({i + 1, next_below, below});
+  }
+  return extruded(ring, cap, span);
+}
+
 inline TriangleSurface tetrahedron() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};

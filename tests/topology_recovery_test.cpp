@@ -162,7 +162,7 @@ TEST(Recovery, GivesAnHonestResultWhenItsBoundsDontDo) {
   const BettiNumbers expected = expected_betti_numbers(surface);
   // No flips of the surface, no recursive removals, no added point.
   const RecoveredMesh recovered =
-      attempt_recovery(boxed(ordered), {1, 0, 0.0, 0, false, false}, {});
+      attempt_recovery(boxed(ordered), {1, 0, 0.0, 0, false, false}, work_bounds(0, 1.0), {});
   ASSERT_FALSE(recovered.complete);
   const InteriorTetrahedra interior =
       choose_interior(recovered, ordered, surface, expected, true, 1);
@@ -180,8 +180,9 @@ TEST(BoundaryRecovery, EdgesWithoutRoomForAPointWaitUntilOthersMadeSome) {
       fixtures::rotated(fixtures::torus(24, 10, 1.0, 0.3), 0.7, Vec3(1, 2, 3));
   for (Vec3& p : surface.points) p = p.cwiseProduct(Vec3(1.0, 0.3, 0.3));
   for (const std::uint64_t seed : {1U, 2U}) {
-    const RecoveredMesh recovered = attempt_recovery(boxed(in_spatial_order(surface)),
-                                                     {seed, 200, 0.05, 400, false, false}, {});
+    const RecoveredMesh recovered =
+        attempt_recovery(boxed(in_spatial_order(surface)), {seed, 200, 0.05, 400, false, false},
+                         work_bounds(0, 1.0), {});
     EXPECT_TRUE(recovered.complete);
     EXPECT_GT(recovered.points_added, 0U);
   }
@@ -216,6 +217,37 @@ TEST(BoundaryRecovery, AddsPointsOnceItsAttemptsAreSpent) {
   const Index unbounded = points_added(std::numeric_limits<int>::max());
   EXPECT_EQ(points_added(100'000), unbounded);
   EXPECT_GT(points_added(100), unbounded);
+}
+
+TEST(Recovery, GivesUpHonestlyWhereItsEffortIsSpent) {
+  const TriangleSurface surface = squeezed(fixtures::torus(40, 16, 1.0, 0.3));
+  RecoveryOptions options;
+  options.recover_input_surface = true;
+  options.effort = 0.0;
+  const TopologyCertificate none = recover_interior(surface, options).certificate;
+  EXPECT_TRUE(none.gave_up);
+  EXPECT_NE(none.topology, TopologyVerdict::kProven);
+  EXPECT_GT(none.boundary_faces_missing, 0U);
+  options.effort = std::numeric_limits<double>::infinity();
+  const InteriorTetrahedra unbounded = recover_interior(surface, options);
+  EXPECT_FALSE(unbounded.certificate.gave_up);
+  EXPECT_EQ(unbounded.certificate.topology, TopologyVerdict::kProven);
+  options.effort = 1.0;
+  EXPECT_EQ(unbounded.tetrahedra, recover_interior(surface, options).tetrahedra);
+}
+
+// Bodies that overlap: the attempts at what can't be proven are bounded by effort, too.
+TEST(Recovery, EndsAtOnceOnOverlappingBodiesWithoutEffort) {
+  const TriangleSurface two = fixtures::joined(
+      fixtures::sphere(2),
+      fixtures::rotated(fixtures::moved(fixtures::sphere(2), Vec3(1.1, 0.13, 0.07)), 0.3,
+                        Vec3(1, 2, 3)));
+  RecoveryOptions options;
+  options.known_crossings = 100;  // so that it is cut at once
+  const TopologyCertificate full = recover_interior(two, options).certificate;
+  options.effort = 0.0;
+  const TopologyCertificate none = recover_interior(two, options).certificate;
+  EXPECT_GT(none.boundary_faces_missing, full.boundary_faces_missing);
 }
 
 TEST(Recovery, IsTheSameInEveryRun) {

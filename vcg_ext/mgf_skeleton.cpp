@@ -38,6 +38,14 @@ void warn_of_topology(const TopologyCertificate& certificate, Warnings& warnings
   const std::string numbers = "The interior has Betti numbers " + to_text(certificate.betti) +
                               ", the surface's genus asks for " + to_text(certificate.expected) +
                               ".";
+  if (certificate.gave_up) {
+    warnings.push_back(
+        {"recovery_gave_up",
+         "The surface could not be made part of the tetrahedra within the bounds on work, so that "
+         "inside and outside were told by winding numbers. Remesh it to triangles that are less "
+         "long, as with 'Remeshing: Isotropic Explicit Remeshing'. In the library, the recovery's "
+         "effort can be raised."});
+  }
   if (certificate.topology == TopologyVerdict::kFailed) {
     warnings.push_back(
         {"topology_failed", "The skeleton does not have the topology of the surface. " + numbers +

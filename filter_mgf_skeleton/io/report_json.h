@@ -92,6 +92,7 @@ inline Json section(const MedialAxisReport& medial_axis) {
 inline Json section(const TopologyCertificate& certificate) {
   return {{"topology", word(certificate.topology)},
           {"isotopic", certificate.isotopic},
+          {"gave_up", certificate.gave_up},
           {"boundary_faces_missing", certificate.boundary_faces_missing},
           {"boundary_faces_extra", certificate.boundary_faces_extra},
           {"tetrahedra_not_positive", certificate.tetrahedra_not_positive},

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "vcg_ext/core/progress.h"
@@ -23,6 +24,8 @@ struct RecoveryLimits {
   std::size_t added_points = 0;  ///< give up beyond
   int recursive_attempts = 400;  ///< per missing edge or face
   int attempts_in_all = 0;       ///< recursive ones; once they are spent, points are added instead
+  /// Tetrahedra looked at on the ways of missing edges and faces; give up beyond.
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
   std::uint64_t seed = 1;
 };
 
@@ -85,12 +88,15 @@ class BoundaryRecovery {
     return surface_.has_edge(e[0], e[1]) && mesh_.find_edge(e[0], e[1]) == kNone;
   }
 
+  bool spent() const { return clearing_.steps() > limits_.steps; }
+
   bool recover_edges(const Progress& progress) {
     std::size_t stuck_before = 0;
     int rises = 0;
     for (int round = 0; !edges_.empty(); ++round) {
       const double share = 1.0 - 1.0 / (1.0 + round);
       const std::vector<Edge> stuck = clear_edges(take_missing_edges(), share, progress);
+      if (spent()) return false;
       rises = stuck.size() > stuck_before && round > 0 ? rises + 1 : 0;
       if (rises >= kRisesAllowed) return false;
       stuck_before = stuck.size();
@@ -108,6 +114,7 @@ class BoundaryRecovery {
       std::vector<Edge> stuck;
       for (const Edge& e : edges) {
         progress.report(share, "topology");
+        if (spent()) return edges;
         if (missing(e) && !clearing_.clear(SegmentObstacle{e[0], e[1]}, effort)) stuck.push_back(e);
       }
       edges.swap(stuck);
@@ -138,6 +145,7 @@ class BoundaryRecovery {
     const Index before = splitter_.points_added();
     for (const Index f : faces) {
       progress.report(1.0, "topology");
+      if (spent()) return false;
       const auto [a, b, c] = surface_.face(f);
       if (missing({a, b}) || missing({b, c}) || missing({c, a})) {
         watch_face(f);

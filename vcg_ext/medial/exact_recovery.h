@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -22,29 +23,46 @@
 
 namespace mgf {
 
+/// Bounds on the work of one exact recovery, counted so that they are the same on any machine.
+struct ExactRecoveryLimits {
+  int recursive_attempts = std::numeric_limits<int>::max();  ///< in all; once they are spent,
+                                                             ///< points are added instead
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();  ///< tetrahedra looked at on the
+                                                                    ///< ways of missing edges and
+                                                                    ///< faces; give up beyond
+};
+
 /// Makes each face of a surface a union of faces of a tetrahedral mesh; the surface stays as it is.
 /// Flips as long as they help, then points exactly on the surface: each takes a crossing of the
-/// surface with the mesh away and makes none, so that this ends (docs/topology.md).
+/// surface with the mesh away and makes none, so that this ends (docs/topology.md), if not before
+/// because the steps of the limits are spent.
 /// Requires a surface free of self-intersections, whose vertices are vertices of the mesh, and all
 /// vertices of the mesh but those of its hull to lie on it.
 class ExactRecovery {
  public:
   /// `missing` are the faces that the mesh doesn't have, ascending.
   ExactRecovery(TetrahedralMesh& mesh, const std::vector<Triangle>& faces,
-                std::vector<Index> missing)
+                std::vector<Index> missing, const ExactRecoveryLimits& limits = {})
       : mesh_(mesh),
         faces_(faces),
+        most_steps_(limits.steps),
         missing_(std::move(missing)),
         kept_(mesh.points().size(), faces),
-        clearing_(mesh, kept_, kSeed) {}
+        clearing_(mesh, kept_, kSeed, limits.recursive_attempts) {}
 
   /// The faces of the mesh that the surface consists of, oriented as it is. None if a crossing is
-  /// met that only a self-intersecting surface can have. Throws `Cancelled`.
+  /// met that only a self-intersecting surface can have, or if the limits don't do. The mesh is
+  /// valid either way. Throws `Cancelled`.
   std::optional<std::vector<Triangle>> run(const Progress& progress) {
     flip_edges_free(progress.slice(0.0, 0.3));
     if (!recover_edges(progress.slice(0.3, 0.7))) return std::nullopt;
     return recover_faces(progress.slice(0.7, 1.0));
   }
+
+  /// Tetrahedra looked at so far.
+  std::uint64_t steps() const { return clearing_.steps() + own_steps_; }
+  /// Whether the steps of the limits are spent.
+  bool spent() const { return steps() > most_steps_; }
 
  private:
   // Where the way from a vertex leaves its star: an edge or a face, as the first `size` corners.
@@ -91,6 +109,7 @@ class ExactRecovery {
       std::vector<Edge> left;
       for (const Edge& e : stuck_) {
         progress.report(0.5 * depth, "topology");
+        if (spent()) return;
         if (!clear(e[0], e[1], depth)) left.push_back(e);
       }
       stuck_.swap(left);
@@ -101,11 +120,12 @@ class ExactRecovery {
   bool recover_edges(const Progress& progress) {
     double done = 0.0;
     for (const auto& [a, b] : stuck_) {
+      if (spent()) return false;
       const std::vector<Index> faces = kept_.faces_at_edge(a, b);
       for (Index at = a; mesh_.find_edge(at, b) == kNone && !clear(at, b, kWalkDepth);) {
         progress.report(done / static_cast<double>(stuck_.size()), "topology");
         const std::optional<Exit> exit = exit_towards(at, b);
-        if (!exit) return false;
+        if (!exit || spent()) return false;
         const Index m = split(*exit, [&, a = a, b = b](unsigned bits) {
           return mesh_.add_point_on_segment(a, b, exit->face, bits);
         });
@@ -119,8 +139,9 @@ class ExactRecovery {
     return true;
   }
 
-  // Makes every face of the surface a union of faces of the mesh, and gives these.
-  std::vector<Triangle> recover_faces(const Progress& progress) {
+  // Makes every face of the surface a union of faces of the mesh, and gives these. None if that
+  // takes more steps than allowed.
+  std::optional<std::vector<Triangle>> recover_faces(const Progress& progress) {
     missing_.erase(std::remove_if(missing_.begin(), missing_.end(),
                                   [&](Index f) {
                                     const auto [a, b, c] = faces_[f];
@@ -137,13 +158,14 @@ class ExactRecovery {
     }
     for (const Index f : missing_) {
       progress.report(f / static_cast<double>(faces_.size()), "topology");
+      if (spent()) return std::nullopt;
       const auto [a, b, c] = faces_[f];
       const bool whole = points_on_.find(f) == points_on_.end();
       if (whole && clearing_.clear(TriangleObstacle{a, b, c}, {})) {
         parts.push_back(faces_[f]);
         continue;
       }
-      clear_face(f);
+      if (!clear_face(f)) return std::nullopt;
       const std::size_t first = parts.size();
       collect_parts(f, parts);
       for (std::size_t i = first; i < parts.size(); ++i) kept_.add_face(parts[i]);
@@ -152,8 +174,9 @@ class ExactRecovery {
   }
 
   // None if the way ends in a vertex.
-  std::optional<Exit> exit_towards(Index at, Index goal) const {
+  std::optional<Exit> exit_towards(Index at, Index goal) {
     for (const Index t : mesh_.star(at)) {
+      ++own_steps_;
       const auto [x, y, z] = face_of(mesh_.corners(t), corner_index(mesh_.corners(t), at));
       const int yz = mesh_.orientation(at, goal, y, z);
       const int zx = mesh_.orientation(at, x, goal, z);
@@ -179,8 +202,8 @@ class ExactRecovery {
   }
 
   // Removes or splits the edges of the mesh that go through face f, whose own edges must have been
-  // recovered.
-  void clear_face(Index f) {
+  // recovered. False if that takes more steps than allowed.
+  bool clear_face(Index f) {
     LocalMoves<TriangleObstacle> moves(mesh_, kept_, {faces_[f][0], faces_[f][1], faces_[f][2]});
     std::vector<Index>& points = points_on_[f];
     points.insert(points.end(), faces_[f].begin(), faces_[f].end());
@@ -188,17 +211,20 @@ class ExactRecovery {
       while (const std::optional<Exit> piercing = edge_through(f, points[next])) {
         const auto [p, q, r, s] = piercing->simplex;
         if (moves.remove_edge(piercing->tetrahedron, p, q, -1)) continue;
+        if (spent()) return false;
         points.push_back(split(*piercing, [&, p = p, q = q](unsigned bits) {
           return mesh_.add_point_on_triangle(faces_[f], p, q, bits);
         }));
       }
     }
+    return true;
   }
 
   // An edge through the inside of face f of a tetrahedron at v.
-  std::optional<Exit> edge_through(Index f, Index v) const {
+  std::optional<Exit> edge_through(Index f, Index v) {
     const auto [a, b, c] = faces_[f];
     for (const Index t : mesh_.star(v)) {
+      ++own_steps_;
       const Tetrahedron corners = mesh_.corners(t);
       std::array<int, 4> side{};
       for (unsigned i = 0; i < 4; ++i) side[i] = mesh_.orientation(a, b, c, corners[i]);
@@ -246,11 +272,13 @@ class ExactRecovery {
 
   TetrahedralMesh& mesh_;
   const std::vector<Triangle>& faces_;
+  std::uint64_t most_steps_;
   std::vector<Index> missing_;  // faces that the mesh hasn't; flips and points take none away
   std::vector<Edge> stuck_;     // edges of the surface that flips can't make way for
   std::unordered_map<Index, std::vector<Index>> points_on_;  // of a face: points added, its corners
   ConstrainedSurface kept_;  // what flips must not destroy: the faces, parts of edges and of faces
   ObstacleClearing clearing_;
+  std::uint64_t own_steps_ = 0;  // besides those of `clearing_`
 };
 
 }  // namespace mgf

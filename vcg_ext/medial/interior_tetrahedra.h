@@ -32,6 +32,7 @@ enum class TopologyVerdict {
 struct TopologyCertificate {
   TopologyVerdict topology = TopologyVerdict::kFailed;
   bool isotopic = false;  ///< proven, and some motion of space carries the input surface to T'
+  bool gave_up = false;   ///< recovery ended early, its bounds on work spent; never if proven
   Index boundary_faces_missing = 0;   ///< faces of T' that are no face of the tetrahedra
   Index boundary_faces_extra = 0;     ///< boundary faces of the interior that are not in T'
   Index tetrahedra_not_positive = 0;  ///< by the exact orientation predicate

@@ -39,6 +39,9 @@ class ObstacleClearing {
 
   ChannelFinder& finder() { return finder_; }
 
+  /// The steps of `finder`: a measure of the work.
+  std::uint64_t steps() const { return finder_.steps(); }
+
   /// Flips until nothing is in the way, which makes the simplex part of the mesh. False if stuck.
   template <class Obstacle>
   bool clear(const Obstacle& obstacle, const ClearingEffort& effort) {

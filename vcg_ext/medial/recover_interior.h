@@ -24,7 +24,9 @@ struct RecoveryOptions {
   bool lift_overlaps = true;        ///< where the surface passes through itself, keep both copies
   std::size_t known_crossings = 0;  ///< pairs of faces known to cross: if many, the surface is cut
                                     ///< there at once. 0 promises nothing, but hopes for none
-  unsigned threads = 0;             ///< 0: all; the result is the same for any number
+  double effort = 1.0;   ///< scales the bounds on work beyond which a surface counts as one that
+                         ///< can't be recovered; 0 or more, infinity: no bounds
+  unsigned threads = 0;  ///< 0: all; the result is the same for any number
 };
 
 namespace recovery_detail {
@@ -55,8 +57,11 @@ class Attempts {
     if (options_.known_crossings > kFewCrossings && cut_along_crossings()) return;
     const BoxedSurface plain = boxed(ordered_, threads_);
     if (options_.known_crossings == 0) {
-      consider(recover_exactly(plain, !options_.recover_input_surface, progress_, threads_));
-      if (verdict() == TopologyVerdict::kProven) return;  // unless the surface crosses itself
+      const RecoveredMesh exact = recover_exactly(plain, !options_.recover_input_surface,
+                                                  bounds_for(plain), progress_, threads_);
+      consider(exact);
+      // More would come to nothing, as the bounds are the same.
+      if (verdict() == TopologyVerdict::kProven || exact.gave_up) return;
     }
     attempt(plain, kPlainAttempt);
     if (verdict() == TopologyVerdict::kFailed) cut_along_crossings();
@@ -71,14 +76,20 @@ class Attempts {
   bool attempt(const BoxedSurface& boxed_surface, AttemptOptions way) {
     way.flat_flips = way.flat_flips && !options_.recover_input_surface;
     way.guided_flips = way.guided_flips && !options_.recover_input_surface;
-    const RecoveredMesh recovered = attempt_recovery(boxed_surface, way, progress_);
+    const RecoveredMesh recovered =
+        attempt_recovery(boxed_surface, way, bounds_for(boxed_surface), progress_);
     consider(recovered);
     return recovered.complete;
+  }
+
+  WorkBounds bounds_for(const BoxedSurface& boxed_surface) const {
+    return work_bounds(boxed_surface.points.size(), options_.effort);
   }
 
   void consider(const RecoveredMesh& recovered) {
     InteriorTetrahedra found =
         choose_interior(recovered, ordered_, surface_, expected_, options_.lift_overlaps, threads_);
+    found.certificate.gave_up = recovered.gave_up;
     if (!best_ || shortfall(found) < shortfall(*best_)) best_ = std::move(found);
   }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct RecoveredMesh {
   TetrahedralMesh mesh;
   ConstrainedSurface surface;  ///< T'
   bool complete = false;       ///< every face of T' is a face of the mesh
+  bool gave_up = false;        ///< the bounds on work kept it from being complete
   Index surface_flips = 0;
   Index points_added = 0;  ///< by recovery and before it
 };
@@ -43,23 +45,36 @@ struct RecoveredMesh {
 inline RecoveredMesh recovery_start(const BoxedSurface& boxed, bool flat_flips) {
   return {TetrahedralMesh(boxed.points, boxed.delaunay.corners, boxed.delaunay.neighbours),
           flat_flips ? boxed.flat.surface : ConstrainedSurface(boxed.points.size(), boxed.faces),
-          false, flat_flips ? boxed.flat.flips : 0};
+          false, false, flat_flips ? boxed.flat.flips : 0};
+}
+
+/// How much work one recovery may take, counted so that it is the same on any machine.
+struct WorkBounds {
+  int recursive_attempts;  ///< in all
+  std::uint64_t steps;     ///< tetrahedra looked at
+};
+
+/// The bounds for a surface of `points` vertices, times `effort`, which is 0 or more; infinity: no
+/// bounds. Where they come from is in docs/topology.md.
+inline WorkBounds work_bounds(std::size_t points, double effort) {
+  const auto scaled = [&](double spare, double per_point, auto most) {
+    const double bound = effort * (spare + per_point * static_cast<double>(points));
+    return bound < static_cast<double>(most) ? static_cast<decltype(most)>(bound) : most;
+  };
+  return {scaled(5e4, 2.0, std::numeric_limits<int>::max()),
+          scaled(2e7, 2e3, std::numeric_limits<std::uint64_t>::max())};
 }
 
 /// Flips T towards the mesh and recovers it. Bounded work; incomplete if the bounds didn't do.
 inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOptions& options,
-                                      const Progress& progress) {
+                                      const WorkBounds& bounds, const Progress& progress) {
   RecoveredMesh result = recovery_start(boxed, options.flat_flips);
   if (options.guided_flips) {
     result.surface_flips += SurfaceFlipper(boxed.points, result.surface).flip_towards(result.mesh);
   }
-  // Ten times what was seen of surfaces that could be recovered (1 a point); those that can't be
-  // went on to 200.
-  constexpr int kSpareAttempts = 20'000;
-  constexpr int kAttemptsPerPoint = 10;
   RecoveryLimits limits;
-  limits.attempts_in_all =
-      kSpareAttempts + kAttemptsPerPoint * static_cast<int>(boxed.points.size());
+  limits.attempts_in_all = bounds.recursive_attempts;
+  limits.steps = bounds.steps;
   limits.added_points =
       options.spare_points +
       static_cast<std::size_t>(options.growth * static_cast<double>(boxed.points.size()));
@@ -73,9 +88,11 @@ inline RecoveredMesh attempt_recovery(const BoxedSurface& boxed, const AttemptOp
 }
 
 /// Flips T towards the mesh, which is an isotopy, if `flip_surface`; then as many points exactly on
-/// T' as it takes. Complete for each surface that doesn't cross itself (docs/topology.md).
+/// T' as it takes. Complete for each surface that doesn't cross itself (docs/topology.md), if the
+/// bounds on steps do.
 inline RecoveredMesh recover_exactly(const BoxedSurface& boxed, bool flip_surface,
-                                     const Progress& progress, unsigned threads = 1) {
+                                     const WorkBounds& bounds, const Progress& progress,
+                                     unsigned threads = 1) {
   RecoveredMesh result = recovery_start(boxed, flip_surface);
   std::vector<Index> missing;
   if (flip_surface) {
@@ -86,7 +103,10 @@ inline RecoveredMesh recover_exactly(const BoxedSurface& boxed, bool flip_surfac
     missing = missing_faces(result.mesh, boxed.faces, threads);
   }
   const std::vector<Triangle> faces = result.surface.faces();
-  const auto parts = ExactRecovery(result.mesh, faces, std::move(missing)).run(progress);
+  ExactRecovery recovery(result.mesh, faces, std::move(missing),
+                         {bounds.recursive_attempts, bounds.steps});
+  const auto parts = recovery.run(progress);
+  result.gave_up = !parts && recovery.spent();
   result.points_added = to_index(result.mesh.exact_point_count());
   if (!parts) return result;
   result.complete = true;
