@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -27,7 +26,8 @@ using Json = nlohmann::ordered_json;
 inline TriangleSurface read_surface(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error("can't open " + path.string());
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::string bytes(std::filesystem::file_size(path), ' ');
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   const std::string extension = path.extension().string();
   const files::FileMesh mesh = extension == ".ply"   ? files::read_ply(bytes)
                                : extension == ".obj" ? files::read_obj(bytes)

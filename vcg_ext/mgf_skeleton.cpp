@@ -3,7 +3,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -124,12 +123,10 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   axis.surface = added.empty() ? sampled : insert_points(sampled, added);
   axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
   const unsigned threads = thread_count(options.recovery.threads);
-  std::optional<SurfaceTree> tree;
-  parallel_both(
-      threads, [&] { axis.complex = build_medial_complex(axis.interior); },
-      [&] { tree.emplace(axis.working.surface); });
+  const SurfaceTree tree(axis.working.surface);
+  axis.complex = build_medial_complex(axis.interior, threads);
   place_voronoi_vertices(axis.interior, axis.complex, threads);
-  discard_vertices_outside(*tree, axis.surface.surface, axis.interior, threads, axis.complex);
+  discard_vertices_outside(tree, axis.surface.surface, axis.interior, threads, axis.complex);
   warn_of_topology(axis.interior.certificate, axis.warnings);
   clock.finish("medial_complex", axis.times);
   progress.report(1.0, "Medial complex");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vcg_ext/core/disjoint_sets.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
@@ -234,20 +235,22 @@ inline Vec3 tetrahedron_circumcentre(const InteriorTetrahedra& interior, Index t
                               interior.points[corners[2]], interior.points[corners[3]]);
 }
 
-/// The dual complex of `interior`, Voronoi vertices at their circumcentres wherever these lie (not
-/// finite for flat tetrahedra): `place_voronoi_vertices` mends that. Linear time.
-inline MedialComplex build_medial_complex(const InteriorTetrahedra& interior) {
-  MedialComplex complex;
-  const std::size_t count = interior.tetrahedra.size();
-  complex.position.resize(count);
-  complex.radius.resize(count);
-  complex.displaced.assign(count, 0);
-  for (Index t = 0; t < count; ++t) {
+namespace detail {
+
+/// Puts the Voronoi vertices at the circumcentres.
+inline void place_at_circumcentres(const InteriorTetrahedra& interior, MedialComplex& complex) {
+  for (Index t = 0; t < interior.tetrahedra.size(); ++t) {
     complex.position[t] = tetrahedron_circumcentre(interior, t);
     complex.radius[t] = (interior.points[interior.tetrahedra[t][0]] - complex.position[t]).norm();
   }
+}
 
-  const auto edge_across = detail::number_voronoi_edges(interior, complex);
+/// Fills in all that is combinatorics.
+inline void connect_cells(const InteriorTetrahedra& interior, MedialComplex& complex) {
+  const std::size_t count = interior.tetrahedra.size();
+  complex.edge_vertices.reserve(2 * count);
+  complex.edge_contacts.reserve(2 * count);
+  const auto edge_across = number_voronoi_edges(interior, complex);
   for (const std::array<Index, 4>& around : edge_across) {
     const std::size_t first = complex.vertex_edges.items.size();
     for (const Index edge : around) {
@@ -259,19 +262,35 @@ inline MedialComplex build_medial_complex(const InteriorTetrahedra& interior) {
   }
 
   std::vector<std::uint8_t> visited(count, 0);
-  detail::EdgeRing ring;
+  EdgeRing ring;
   for (Index t = 0; t < count; ++t) {
     for (std::size_t e = 0; e < 6; ++e) {
       if ((visited[t] >> e & 1U) != 0) continue;
-      detail::walk_ring(interior, edge_across, t, e, visited, ring);
+      walk_ring(interior, edge_across, t, e, visited, ring);
       if (!ring.closed) continue;
-      const auto& local = detail::kTetrahedronEdges[e];
-      detail::add_facet(interior.tetrahedra[t][local[0]], interior.tetrahedra[t][local[1]], ring,
-                        complex);
+      const auto& local = kTetrahedronEdges[e];
+      add_facet(interior.tetrahedra[t][local[0]], interior.tetrahedra[t][local[1]], ring, complex);
     }
   }
   complex.facet_cells.assign(complex.facet_count(), {kNone, kNone});
-  if (interior.certificate.interior_vertices > 0) detail::attach_cells(interior, complex);
+  if (interior.certificate.interior_vertices > 0) attach_cells(interior, complex);
+}
+
+}  // namespace detail
+
+/// The dual complex of `interior`, Voronoi vertices at their circumcentres wherever these lie (not
+/// finite for flat tetrahedra): `place_voronoi_vertices` mends that. Linear time. The same for any
+/// number of `threads`.
+inline MedialComplex build_medial_complex(const InteriorTetrahedra& interior,
+                                          unsigned threads = 1) {
+  MedialComplex complex;
+  const std::size_t count = interior.tetrahedra.size();
+  complex.position.resize(count);
+  complex.radius.resize(count);
+  complex.displaced.assign(count, 0);
+  parallel_both(
+      threads, [&] { detail::place_at_circumcentres(interior, complex); },
+      [&] { detail::connect_cells(interior, complex); });
   return complex;
 }
 

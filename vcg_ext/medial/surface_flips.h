@@ -42,8 +42,10 @@ class SurfaceFlipper {
       is_present_[f] = 0;
       enqueue(f);
     }
-    return run([&](const EdgePair& e) { return is_gentle(e) && gains(delaunay, e); },
-               [&](Index f) { is_present_[f] = has_face(delaunay, surface_.face(f)); });
+    // The quickest question first.
+    return run(
+        [&](const EdgePair& e) { return lacks_face(e) && is_gentle(e) && gains(delaunay, e); },
+        [&](Index f) { is_present_[f] = has_face(delaunay, surface_.face(f)); });
   }
 
   /// After `flip_towards`, the faces that the mesh still doesn't have, ascending.
@@ -180,9 +182,13 @@ class SurfaceFlipper {
     return mesh.find_face(face[0], face[1], face[2]) != kNone ? 1 : 0;
   }
 
+  bool lacks_face(const EdgePair& e) const {
+    return is_present_[e.f] == 0 || is_present_[e.g] == 0;
+  }
+
   bool gains(const TetrahedralMesh& mesh, const EdgePair& e) const {
     const int before = is_present_[e.f] + is_present_[e.g];
-    if (before == 2 || surface_.has_edge(e.c, e.d)) return false;
+    if (surface_.has_edge(e.c, e.d)) return false;
     bool has_edge = false;
     bool has_cda = false;
     bool has_cdb = false;
@@ -201,9 +207,11 @@ class SurfaceFlipper {
   bool is_gentle(const EdgePair& e) const {
     const Vec3 normals[6] = {normal(e.a, e.b, e.c), normal(e.b, e.a, e.d), normal(e.c, e.a, e.d),
                              normal(e.d, e.b, e.c), parent_normal_[e.f],   parent_normal_[e.g]};
+    double lengths[6];
     for (int i = 0; i < 6; ++i) {
+      lengths[i] = normals[i].norm();
       for (int j = 0; j < i; ++j) {
-        if (normals[i].dot(normals[j]) < kGuardCosine * normals[i].norm() * normals[j].norm()) {
+        if (normals[i].dot(normals[j]) < kGuardCosine * lengths[i] * lengths[j]) {
           return false;
         }
       }
