@@ -52,8 +52,8 @@ class MortonGrid {
 /// The numbers in `vertices` sorted by the Morton code of their point, ties by coordinates, then by
 /// number. Linear time but for ties.
 inline std::vector<Index> spatial_order(const std::vector<Vec3>& points,
-                                        const std::vector<Index>& vertices) {
-  if (vertices.empty()) return {};
+                                        std::vector<Index> vertices) {
+  if (vertices.empty()) return vertices;
   Vec3 low = points[vertices.front()];
   Vec3 high = low;
   for (const Index v : vertices) {
@@ -65,9 +65,10 @@ inline std::vector<Index> spatial_order(const std::vector<Vec3>& points,
   code.reserve(vertices.size());
   for (const Index v : vertices) code.push_back(grid.code(points[v]));
   const std::vector<Index> order = sorted_by_key(code);
-  std::vector<Index> result;
-  result.reserve(order.size());
-  for (const Index i : order) result.push_back(vertices[i]);
+  std::vector<Index> sorted;
+  sorted.reserve(order.size());
+  for (const Index i : order) sorted.push_back(vertices[i]);
+  vertices.swap(sorted);
   const auto key = [&](Index v) {
     const Vec3& p = points[v];
     return std::make_tuple(p.x(), p.y(), p.z(), v);
@@ -75,11 +76,11 @@ inline std::vector<Index> spatial_order(const std::vector<Vec3>& points,
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
     while (last < order.size() && code[order[last]] == code[order[first]]) ++last;
     if (last - first == 1) continue;
-    std::sort(result.begin() + static_cast<std::ptrdiff_t>(first),
-              result.begin() + static_cast<std::ptrdiff_t>(last),
+    std::sort(vertices.begin() + static_cast<std::ptrdiff_t>(first),
+              vertices.begin() + static_cast<std::ptrdiff_t>(last),
               [&](Index a, Index b) { return key(a) < key(b); });
   }
-  return result;
+  return vertices;
 }
 
 }  // namespace mgf

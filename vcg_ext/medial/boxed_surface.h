@@ -61,7 +61,7 @@ inline OrderedSurface in_spatial_order(const TriangleSurface& surface) {
   for (const Triangle& face : surface.triangles) {
     result.surface.triangles.push_back({number[face[0]], number[face[1]], number[face[2]]});
   }
-  result.surface.triangles = canonical_sorted(std::move(result.surface.triangles));
+  result.surface.triangles = canonical_sorted(result.surface.triangles);
   return result;
 }
 
