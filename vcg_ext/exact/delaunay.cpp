@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,7 +17,6 @@
 #include "vcg_ext/core/errors.h"
 #include "vcg_ext/core/random.h"
 #include "vcg_ext/exact/cgal_kernel.h"
-#include "vcg_ext/exact/incremental_delaunay.h"
 
 namespace mgf {
 
@@ -65,82 +63,69 @@ std::vector<Index> insertion_order(std::size_t count) {
   return group_by_key(round, kMostRounds).items;
 }
 
-// The Delaunay tetrahedralisation of the points numbered `hull`.
-TetrahedronArrays tetrahedra_of_hull(const std::vector<Vec3>& points,
-                                     const std::vector<Index>& hull) {
+Delaunay triangulate(const std::vector<Vec3>& points) {
   Delaunay delaunay;
-  for (const Index i : hull) delaunay.insert(exact_detail::to_cgal(points[i]))->info() = i;
+  Delaunay::Vertex_handle last;
+  for (const Index i : insertion_order(points.size())) {
+    const Kernel::Point_3 point = exact_detail::to_cgal(points[i]);
+    last =
+        last == Delaunay::Vertex_handle() ? delaunay.insert(point) : delaunay.insert(point, last);
+    last->info() = i;
+  }
+  return delaunay;
+}
+
+// The finite cells as they lie in memory.
+TetrahedronArrays as_stored(const Delaunay& delaunay) {
   TetrahedronArrays result;
+  result.corners.reserve(delaunay.number_of_cells());
+  result.neighbours.reserve(delaunay.number_of_cells());
   for (const auto cell : delaunay.all_cell_handles()) {
-    cell->info() = kNone;
-    if (delaunay.is_infinite(cell)) continue;
+    if (delaunay.is_infinite(cell)) {
+      cell->info() = kNone;
+      continue;
+    }
     cell->info() = to_index(result.corners.size());
     result.corners.push_back({cell->vertex(0)->info(), cell->vertex(1)->info(),
                               cell->vertex(2)->info(), cell->vertex(3)->info()});
   }
-  for (const auto cell : delaunay.finite_cell_handles()) {
+  for (const auto cell : delaunay.all_cell_handles()) {
+    if (cell->info() == kNone) continue;
     result.neighbours.push_back({cell->neighbor(0)->info(), cell->neighbor(1)->info(),
                                  cell->neighbor(2)->info(), cell->neighbor(3)->info()});
   }
   return result;
 }
 
-struct SortedTetrahedron {
-  std::uint64_t middle;  // the second and third least corner
-  Index greatest;
-  Index slot;
-};
-
-// The slots of a tetrahedralisation ordered by the ascending corners of their tetrahedra.
-std::vector<Index> slots_in_order(const std::vector<Tetrahedron>& corners,
-                                  std::size_t point_count) {
-  std::vector<Index> begin(point_count + 1, 0);  // of the tetrahedra with each least corner
-  for (const Tetrahedron& t : corners) {
-    if (t[0] != kNone) ++begin[std::size_t{*std::min_element(t.begin(), t.end())} + 1];
-  }
-  for (std::size_t v = 0; v < point_count; ++v) begin[v + 1] += begin[v];
-  std::vector<SortedTetrahedron> sorted(begin.back());
-  std::vector<Index> next(begin.begin(), begin.end() - 1);
-  for (Index slot = 0; slot < corners.size(); ++slot) {
-    Tetrahedron t = corners[slot];
-    if (t[0] == kNone) continue;
-    const auto order = [&](std::size_t i, std::size_t j) {
-      const Index low = std::min(t[i], t[j]);
-      t[j] = std::max(t[i], t[j]);
-      t[i] = low;
-    };
-    order(0, 1);
-    order(2, 3);
-    order(0, 2);
-    order(1, 3);
-    order(1, 2);
-    sorted[next[t[0]]++] = {std::uint64_t{t[1]} << 32U | t[2], t[3], slot};
-  }
-  for (std::size_t v = 0; v < point_count; ++v) {
-    std::sort(sorted.begin() + begin[v], sorted.begin() + begin[v + 1],
-              [](const SortedTetrahedron& s, const SortedTetrahedron& t) {
-                return s.middle != t.middle ? s.middle < t.middle : s.greatest < t.greatest;
-              });
-  }
-  std::vector<Index> slots;
-  slots.reserve(sorted.size());
-  for (const SortedTetrahedron& t : sorted) slots.push_back(t.slot);
-  return slots;
-}
-
 // Renumbers tetrahedra by their ascending corners: what is near among the points is near among the
-// tetrahedra, and the order of insertion leaves no trace.
-TetrahedronArrays in_order_of_corners(const IncrementalDelaunay& delaunay,
-                                      std::size_t point_count) {
-  const std::vector<Index> slots = slots_in_order(delaunay.corners(), point_count);
-  std::vector<Index> number(delaunay.corners().size());
-  for (Index i = 0; i < slots.size(); ++i) number[slots[i]] = i;
+// tetrahedra, and CGAL's way to them leaves no trace.
+TetrahedronArrays in_order_of_corners(const TetrahedronArrays& stored, std::size_t point_count) {
+  std::vector<Index> least;
+  least.reserve(stored.corners.size());
+  for (const Tetrahedron& t : stored.corners)
+    least.push_back(*std::min_element(t.begin(), t.end()));
+  const Rows<Index> by_least = group_by_key(least, point_count);
+  std::vector<Index> order;
+  order.reserve(stored.corners.size());
+  std::vector<Tetrahedron> row;  // the three other corners, ascending, and the number
+  for (std::size_t v = 0; v < point_count; ++v) {
+    row.clear();
+    for (const Index t : by_least[v]) {
+      Tetrahedron entry = stored.corners[t];
+      std::sort(entry.begin(), entry.end());
+      row.push_back({entry[1], entry[2], entry[3], t});
+    }
+    std::sort(row.begin(), row.end());
+    for (const Tetrahedron& entry : row) order.push_back(entry[3]);
+  }
+  std::vector<Index> number(order.size());
+  for (Index i = 0; i < order.size(); ++i) number[order[i]] = i;
   TetrahedronArrays result;
-  result.corners.reserve(slots.size());
-  result.neighbours.reserve(slots.size());
-  for (const Index slot : slots) {
-    Tetrahedron corners = delaunay.corners()[slot];
-    std::array<Index, 4> neighbours = delaunay.neighbours()[slot];
+  result.corners.reserve(order.size());
+  result.neighbours.reserve(order.size());
+  for (const Index t : order) {
+    Tetrahedron corners = stored.corners[t];
+    std::array<Index, 4> neighbours = stored.neighbours[t];
     for (Index& u : neighbours) u = u == kNone ? kNone : number[u];
     least_first(corners, neighbours);
     result.corners.push_back(corners);
@@ -151,16 +136,9 @@ TetrahedronArrays in_order_of_corners(const IncrementalDelaunay& delaunay,
 
 }  // namespace
 
-TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points,
-                                      const std::vector<Index>& hull) {
-  IncrementalDelaunay delaunay(points, tetrahedra_of_hull(points, hull));
-  std::vector<char> is_in(points.size(), 0);
-  for (const Index i : hull) is_in[i] = 1;
-  std::size_t repeated = 0;
-  for (const Index i : insertion_order(points.size())) {
-    if (is_in[i] == 0 && !delaunay.insert(i)) ++repeated;
-  }
-  if (repeated != 0) {
+TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points) {
+  const Delaunay delaunay = triangulate(points);
+  if (const std::size_t repeated = points.size() - delaunay.number_of_vertices(); repeated != 0) {
     throw InputError(
         "duplicate_vertices",
         "Points of the surface at the place of another one: " + std::to_string(repeated) +
@@ -168,7 +146,7 @@ TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points,
             "from the origin that no digits are left for points between its vertices: centre it "
             "with 'Transform: Translate, Center, set Origin'.");
   }
-  return in_order_of_corners(delaunay, points.size());
+  return in_order_of_corners(as_stored(delaunay), points.size());
 }
 
 }  // namespace mgf

@@ -15,13 +15,11 @@ struct TetrahedronArrays {
   std::vector<std::array<Index, 4>> neighbours;  ///< across the face opposite corner i; kNone: hull
 };
 
-/// The Delaunay tetrahedralisation of `points`. Cospherical sets are settled by a symbolic
-/// perturbation that depends on the coordinates alone, so the set of tetrahedra doesn't depend on
+/// The Delaunay tetrahedralisation of `points`. Cospherical sets are settled by CGAL's symbolic
+/// perturbation, which depends on the coordinates alone, so the set of tetrahedra doesn't depend on
 /// the order of the points (their numbering follows that of the points).
-/// Requires finite coordinates, and `hull` to be a few points, not all in a plane, whose convex
-/// hull has all others strictly inside. Throws `InputError` on duplicates. About n log n; 2 us a
-/// point if points that are near each other in the array are near in space, as in `spatial_order`.
-TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points,
-                                      const std::vector<Index>& hull);
+/// Requires finite coordinates and four points not in a plane. Throws `InputError` on duplicates.
+/// About n log n; 6 us a point.
+TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points);
 
 }  // namespace mgf

@@ -3,7 +3,6 @@
 // call inline, exact arithmetic (predicates.cpp) for the rest.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "vcg_ext/core/types.h"
@@ -29,8 +28,6 @@ inline int sign(double value) {
 
 int orient3d_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 int in_sphere_exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
-// By a closer bound than that of `in_sphere`; where that doesn't do either, exactly.
-int in_sphere_closely(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
 }  // namespace exact_detail
 
@@ -82,24 +79,33 @@ inline int in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
   const Vec3 p[4] = {a - e, b - e, c - e, d - e};
   double lift[4];
   for (int i = 0; i < 4; ++i) lift[i] = p[i].squaredNorm();
-  const auto minor = [&](int i, int j) { return p[i].x() * p[j].y() - p[j].x() * p[i].y(); };
-  const double minor01 = minor(0, 1), minor02 = minor(0, 2), minor03 = minor(0, 3);
-  const double minor12 = minor(1, 2), minor13 = minor(1, 3), minor23 = minor(2, 3);
-  const double determinant =
-      lift[0] * (p[1].z() * minor23 - p[2].z() * minor13 + p[3].z() * minor12) -
-      lift[1] * (p[0].z() * minor23 - p[2].z() * minor03 + p[3].z() * minor02) +
-      lift[2] * (p[0].z() * minor13 - p[1].z() * minor03 + p[3].z() * minor01) -
-      lift[3] * (p[0].z() * minor12 - p[1].z() * minor02 + p[2].z() * minor01);
-  // Twenty-four products, none of which can be larger than this, make up the permanent.
-  const Vec3 largest =
-      p[0].cwiseAbs().cwiseMax(p[1].cwiseAbs()).cwiseMax(p[2].cwiseAbs()).cwiseMax(p[3].cwiseAbs());
-  const double permanent = 24.0 * largest.x() * largest.y() * largest.z() *
-                           std::max(std::max(lift[0], lift[1]), std::max(lift[2], lift[3]));
+  // Minors of the rows i, j in x and y; `plus` holds their permanents.
+  double minor[4][4];
+  double plus[4][4];
+  for (int i = 0; i < 4; ++i) {
+    for (int j = i + 1; j < 4; ++j) {
+      const double left = p[i].x() * p[j].y();
+      const double right = p[j].x() * p[i].y();
+      minor[i][j] = left - right;
+      plus[i][j] = std::abs(left) + std::abs(right);
+    }
+  }
+  const auto det3 = [&](int i, int j, int k) {
+    return p[i].z() * minor[j][k] - p[j].z() * minor[i][k] + p[k].z() * minor[i][j];
+  };
+  const auto permanent3 = [&](int i, int j, int k) {
+    return std::abs(p[i].z()) * plus[j][k] + std::abs(p[j].z()) * plus[i][k] +
+           std::abs(p[k].z()) * plus[i][j];
+  };
+  const double determinant = lift[0] * det3(1, 2, 3) - lift[1] * det3(0, 2, 3) +
+                             lift[2] * det3(0, 1, 3) - lift[3] * det3(0, 1, 2);
+  const double permanent = lift[0] * permanent3(1, 2, 3) + lift[1] * permanent3(0, 2, 3) +
+                           lift[2] * permanent3(0, 1, 3) + lift[3] * permanent3(0, 1, 2);
   if (permanent > exact_detail::kSphereFloor &&
       std::abs(determinant) > exact_detail::kSphereBound * permanent) {
     return determinant > 0.0 ? 1 : -1;
   }
-  return exact_detail::in_sphere_closely(a, b, c, d, e);
+  return exact_detail::in_sphere_exact(a, b, c, d, e);
 }
 
 }  // namespace mgf

@@ -102,12 +102,10 @@ struct BoxedSurface {
 
 namespace boxed_detail {
 
-// Fills in what follows from points, of which the box starts at number `own`, and faces.
-inline void prepare_recovery(BoxedSurface& boxed, std::size_t own, unsigned threads) {
-  std::vector<Index> box;
-  for (std::size_t i = 0; i < kBoxCorners; ++i) box.push_back(to_index(own + i));
+// Fills in what follows from points and faces.
+inline void prepare_recovery(BoxedSurface& boxed, unsigned threads) {
   parallel_both(
-      threads, [&] { boxed.delaunay = delaunay_tetrahedra(boxed.points, box); },
+      threads, [&] { boxed.delaunay = delaunay_tetrahedra(boxed.points); },
       [&] { boxed.flat = flip_flat_edges(boxed.points, boxed.faces); });
 }
 
@@ -118,7 +116,7 @@ inline BoxedSurface boxed(const OrderedSurface& ordered, unsigned threads = 1) {
   BoxedSurface result;
   result.points = with_box(ordered);
   result.faces = ordered.surface.triangles;
-  boxed_detail::prepare_recovery(result, ordered.surface.points.size(), threads);
+  boxed_detail::prepare_recovery(result, threads);
   return result;
 }
 
@@ -137,7 +135,7 @@ inline BoxedSurface boxed(const OrderedSurface& ordered, const TriangleSurface& 
       if (v >= own) v += static_cast<Index>(kBoxCorners);
     }
   }
-  boxed_detail::prepare_recovery(result, own, threads);
+  boxed_detail::prepare_recovery(result, threads);
   return result;
 }
 
