@@ -133,7 +133,7 @@ TEST(ExactRecovery, AddsPointsOnceItsAttemptsAreSpent) {
   const BoxedSurface plain = boxed(in_spatial_order(squeezed(torus(40, 16, 1.0, 0.3))));
   const auto points_added = [&](const ExactRecoveryLimits& limits) {
     TetrahedralMesh mesh(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
-    ExactRecovery recovery(mesh, plain.faces, limits);
+    ExactRecovery recovery(mesh, plain.faces, missing_faces(mesh, plain.faces), limits);
     EXPECT_TRUE(recovery.run({}).has_value());
     EXPECT_FALSE(recovery.spent());
     return mesh.exact_point_count();
@@ -158,7 +158,7 @@ TEST(ExactRecovery, EndsWhenItsStepsAreSpent) {
     TetrahedralMesh mesh(plain.points, plain.delaunay.corners, plain.delaunay.neighbours);
     ExactRecoveryLimits limits;
     limits.steps = limit;
-    ExactRecovery recovery(mesh, plain.faces, limits);
+    ExactRecovery recovery(mesh, plain.faces, missing_faces(mesh, plain.faces), limits);
     const bool complete = recovery.run({}).has_value();
     EXPECT_EQ(complete, !recovery.spent());
     EXPECT_TRUE(is_triangulated_box(mesh, kBoxFaces));
