@@ -348,6 +348,7 @@ class WindowPropagation {
     }
     if (is_among_rays(w, apex, past_left, past_right)) arrive_at(apex, crossing, w);
     const Side side = past_left >= 0.0 ? kRight : kLeft;
+    // The rays pass between the apex and the end on that side; it replaces the other.
     set_corner(crossing.apex, apex, past_left, past_right, w.ends[1 - side]);
     w.halfedge = crossing.beyond[side];
     trails_.turn(side, w.trail);
