@@ -137,6 +137,25 @@ TEST(Sampling, StaysWithinItsBudget) {
   EXPECT_GT(refined.surface.points.size(), 800U);
 }
 
+TEST(Sampling, SplitsTheSameInStepsAsAtOnce) {
+  const FixedLength allowed(0.05);
+  constexpr std::size_t kMost = 100000;
+  SurfaceRefiner at_once(unrefined(l_block()));
+  SurfaceRefiner in_steps = at_once;
+  EXPECT_TRUE(WorstFirstSplitter(at_once, allowed, kMost).run(1.0, {}));
+  WorstFirstSplitter splitter(in_steps, allowed, kMost);
+  std::size_t points = in_steps.surface().surface.points.size();
+  for (const double excess : {8.0, 4.0, 2.0, 1.0}) {
+    EXPECT_TRUE(splitter.run(excess, {}));
+    EXPECT_LE(splitter.worst_excess(), excess);
+    EXPECT_LE(longest_edge(in_steps.surface().surface), 0.05 * excess);
+    EXPECT_GT(in_steps.surface().surface.points.size(), points);
+    points = in_steps.surface().surface.points.size();
+  }
+  EXPECT_EQ(in_steps.triangles(), at_once.triangles());
+  EXPECT_EQ(in_steps.surface().surface.points, at_once.surface().surface.points);
+}
+
 TEST(Sampling, MakesNoNeedlesBesideAThinPlate) {
   // The rim is thick beneath but narrow; left in one piece its diagonals would end up in needles.
   const auto slimness = [](const TriangleSurface& s, Index f) {

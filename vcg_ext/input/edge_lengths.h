@@ -67,13 +67,6 @@ class LengthByThickness {
     });
   }
 
-  /// Allows lengths by thickness to be so many times as long, and forgets the surface that it was
-  /// asked about.
-  void grow(double factor) {
-    scale_ *= factor;
-    known_.clear();
-  }
-
   double operator()(const SurfaceRefiner& refiner, Index side) const {
     double allowed = by_thickness(refiner, side);
     for (const Index from : {side, refiner.twin(side)}) {
@@ -82,7 +75,7 @@ class LengthByThickness {
       allowed = std::min({allowed, detail::kGrading * by_thickness(refiner, second),
                           detail::kGrading * by_thickness(refiner, third)});
     }
-    return std::max(shortest_, scale_ * allowed);
+    return std::max(shortest_, allowed);
   }
 
  private:
@@ -124,7 +117,6 @@ class LengthByThickness {
     double thickness = 0.0;
   };
 
-  double scale_ = 1.0;
   double shortest_ = 0.0;
   double thinnest_ = 0.0;
   std::vector<Index> field_of_face_;

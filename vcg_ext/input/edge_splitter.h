@@ -10,30 +10,36 @@
 
 #include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
-#include "vcg_ext/input/refined_surface.h"
 #include "vcg_ext/input/surface_refiner.h"
 
 namespace mgf {
 
-/// Splits edges longer than `allowed(refiner, side)`, worst first, until none is left or
-/// `most_points` are there. Ties go to the edge of least ends.
+/// Splits edges longer than `allowed(refiner, side)`, worst first, up to `most_points` points. Ties
+/// go to the edge of least ends.
 template <class Allowed>
 class WorstFirstSplitter {
  public:
   WorstFirstSplitter(SurfaceRefiner& refiner, const Allowed& allowed, std::size_t most_points)
-      : refiner_(refiner), allowed_(allowed), most_points_(most_points) {}
-
-  void run(const Progress& progress) {
-    const std::size_t first = refiner_.surface().surface.points.size();
+      : refiner_(refiner),
+        allowed_(allowed),
+        first_points_(point_count()),
+        most_points_(most_points) {
     for (Index side = 0; side < refiner_.side_count(); ++side) {
       if (side < refiner_.twin(side)) consider(side);
     }
-    while (!queue_.empty()) {
-      const std::size_t count = refiner_.surface().surface.points.size();
-      if (count >= most_points_) return;
-      if (count % kReportEvery == 0) {
+  }
+
+  /// No edge is more than this many times as long as allowed.
+  double worst_excess() const { return queue_.empty() ? 1.0 : queue_.top().excess; }
+
+  /// Goes on until no edge is more than `excess` >= 1 times as long as allowed. Returns whether it
+  /// came there with less than the most points.
+  bool run(double excess, const Progress& progress) {
+    while (point_count() < most_points_ && worst_excess() > excess) {
+      const std::size_t added = point_count() - first_points_;
+      if (added % kReportEvery == 0) {
         progress.report(
-            static_cast<double>(count - first) / static_cast<double>(most_points_ - first),
+            static_cast<double>(added) / static_cast<double>(most_points_ - first_points_),
             "sampling");
       }
       const Candidate worst = queue_.top();
@@ -46,6 +52,7 @@ class WorstFirstSplitter {
         queue_.push(now);
       }
     }
+    return point_count() < most_points_;
   }
 
  private:
@@ -61,6 +68,8 @@ class WorstFirstSplitter {
       return std::pair(low, high) > std::pair(other.low, other.high);
     }
   };
+
+  std::size_t point_count() const { return refiner_.surface().surface.points.size(); }
 
   Candidate candidate(Index side) const {
     const Index a = refiner_.start(side);
@@ -91,8 +100,15 @@ class WorstFirstSplitter {
       spoke = refiner_.twin(SurfaceRefiner::next(SurfaceRefiner::next(spoke)));
     } while (spoke != first);
     flip_suspects();
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
     for (const Index face : changed_) {
-      for (Index i = 0; i < 3; ++i) consider(3 * face + i);
+      for (Index i = 0; i < 3; ++i) {
+        const Index twin = refiner_.twin(3 * face + i);
+        const bool is_seen =
+            twin < 3 * face && std::binary_search(changed_.begin(), changed_.end(), twin / 3);
+        if (!is_seen) consider(3 * face + i);
+      }
     }
   }
 
@@ -120,19 +136,11 @@ class WorstFirstSplitter {
 
   SurfaceRefiner& refiner_;
   const Allowed& allowed_;
+  std::size_t first_points_;
   std::size_t most_points_;
   std::priority_queue<Candidate> queue_;
   std::vector<Index> changed_;   // faces of the present split
   std::vector<Index> suspects_;  // sides that may have to be flipped
 };
-
-/// The surface after such splits.
-template <class Allowed>
-RefinedSurface split_long_edges(const TriangleSurface& surface, const Allowed& allowed,
-                                std::size_t most_points, const Progress& progress) {
-  SurfaceRefiner refiner(unrefined(surface));
-  WorstFirstSplitter<Allowed>(refiner, allowed, most_points).run(progress);
-  return std::move(refiner).release();
-}
 
 }  // namespace mgf

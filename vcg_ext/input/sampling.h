@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/errors.h"
@@ -19,6 +20,7 @@
 #include "vcg_ext/input/edge_splitter.h"
 #include "vcg_ext/input/edge_table.h"
 #include "vcg_ext/input/refined_surface.h"
+#include "vcg_ext/input/surface_refiner.h"
 
 namespace mgf {
 
@@ -36,9 +38,8 @@ struct SamplingOptions {
 /// Automatic: a shell is too coarse if faces longer than it is thick beneath them make more than
 /// a quarter of its area; its edges are then split while longer than 0.7 of the thickness there (a
 /// rule measured on boxes, blocks, cylinders and scans; scans are left alone) and than 0.7 % of the
-/// diagonal. If that takes more than 4000 points and more than there are vertices, the share of the
-/// thickness grows until it doesn't: even sampling, though sparse, is better than a part well
-/// sampled.
+/// diagonal. If that takes more than 4000 points and more than there are vertices, both lengths
+/// grow until it doesn't: even sampling, though sparse, is better than a part well sampled.
 ///
 /// Throws InputError "sampling_too_fine" if a fixed length asks for more than 5 million points,
 /// "sampling_negative" if it is negative or no number. O(n log n) in the vertices of the result.
@@ -73,12 +74,18 @@ inline RefinedSurface split_by_thickness(const TriangleSurface& surface, const S
                                          const CoarseShells& coarse, unsigned threads,
                                          const Progress& progress) {
   const std::size_t count = surface.points.size();
-  const std::size_t most = count + std::max(count, kMostAutomatic);
-  LengthByThickness allowed(surface, tree, coarse, thread_count(threads));
-  RefinedSurface refined = split_long_edges(surface, allowed, most, progress);
-  while (refined.surface.points.size() >= most) {
-    allowed.grow(1.5);
-    refined = split_long_edges(surface, allowed, most, progress);
+  const LengthByThickness allowed(surface, tree, coarse, thread_count(threads));
+  SurfaceRefiner refiner(unrefined(surface));
+  WorstFirstSplitter splitter(refiner, allowed, count + std::max(count, kMostAutomatic));
+  constexpr double kStep = 1.5;
+  double factor = 1.0;
+  while (factor < splitter.worst_excess()) factor *= kStep;
+  // Worst first is the same for all factors: what splits up to a larger one is done already.
+  RefinedSurface refined = refiner.surface();
+  for (; factor >= 1.0 && splitter.run(factor, progress); factor /= kStep) {
+    if (refiner.surface().surface.points.size() > refined.surface.points.size()) {
+      refined = refiner.surface();
+    }
   }
   return refined;
 }
@@ -104,9 +111,12 @@ inline RefinedSurface refine_sampling(const TriangleSurface& surface,
     detail::refuse_fine_sampling();
   }
   const std::size_t most = count + detail::kMostFixed;
-  RefinedSurface refined = split_long_edges(surface, FixedLength(length), most, progress);
-  if (refined.surface.points.size() >= most) detail::refuse_fine_sampling();
-  return refined;
+  SurfaceRefiner refiner(unrefined(surface));
+  const FixedLength allowed(length);
+  if (!WorstFirstSplitter(refiner, allowed, most).run(1.0, progress)) {
+    detail::refuse_fine_sampling();
+  }
+  return std::move(refiner).release();
 }
 
 }  // namespace mgf
