@@ -14,16 +14,13 @@
 
 namespace mgf {
 
-/// Splits edges longer than `allowed(refiner, side)`, worst first, up to `most_points` points. Ties
-/// go to the edge of least ends.
+/// Splits edges longer than `allowed(refiner, side)`, worst first. Ties go to the edge of least
+/// ends.
 template <class Allowed>
 class WorstFirstSplitter {
  public:
-  WorstFirstSplitter(SurfaceRefiner& refiner, const Allowed& allowed, std::size_t most_points)
-      : refiner_(refiner),
-        allowed_(allowed),
-        first_points_(point_count()),
-        most_points_(most_points) {
+  WorstFirstSplitter(SurfaceRefiner& refiner, const Allowed& allowed)
+      : refiner_(refiner), allowed_(allowed) {
     for (Index side = 0; side < refiner_.side_count(); ++side) {
       if (side < refiner_.twin(side)) consider(side);
     }
@@ -33,14 +30,14 @@ class WorstFirstSplitter {
   double worst_excess() const { return queue_.empty() ? 1.0 : queue_.top().excess; }
 
   /// Goes on until no edge is more than `excess` >= 1 times as long as allowed. Returns whether it
-  /// came there with less than the most points.
-  bool run(double excess, const Progress& progress) {
-    while (point_count() < most_points_ && worst_excess() > excess) {
-      const std::size_t added = point_count() - first_points_;
+  /// came there with less than `most_points`; at that number it ends.
+  bool run(double excess, std::size_t most_points, const Progress& progress) {
+    const std::size_t first = point_count();
+    while (point_count() < most_points && worst_excess() > excess) {
+      const std::size_t added = point_count() - first;
       if (added % kReportEvery == 0) {
-        progress.report(
-            static_cast<double>(added) / static_cast<double>(most_points_ - first_points_),
-            "sampling");
+        progress.report(static_cast<double>(added) / static_cast<double>(most_points - first),
+                        "sampling");
       }
       const Candidate worst = queue_.top();
       queue_.pop();
@@ -52,7 +49,7 @@ class WorstFirstSplitter {
         queue_.push(now);
       }
     }
-    return point_count() < most_points_;
+    return point_count() < most_points;
   }
 
  private:
@@ -136,8 +133,6 @@ class WorstFirstSplitter {
 
   SurfaceRefiner& refiner_;
   const Allowed& allowed_;
-  std::size_t first_points_;
-  std::size_t most_points_;
   std::priority_queue<Candidate> queue_;
   std::vector<Index> changed_;   // faces of the present split
   std::vector<Index> suspects_;  // sides that may have to be flipped

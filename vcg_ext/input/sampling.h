@@ -38,8 +38,9 @@ struct SamplingOptions {
 /// Automatic: a shell is too coarse if faces longer than it is thick beneath them make more than
 /// a quarter of its area; its edges are then split while longer than 0.7 of the thickness there (a
 /// rule measured on boxes, blocks, cylinders and scans; scans are left alone) and than 0.7 % of the
-/// diagonal. If that takes more than 4000 points and more than there are vertices, both lengths
-/// grow until it doesn't: even sampling, though sparse, is better than a part well sampled.
+/// diagonal. Both lengths are multiplied by the least of 1, 3/2, 9/4, ... for which 1500 points
+/// (8000 from 9/4 on), or as many as there are vertices, are enough: even sampling, though sparse,
+/// is better than a part well sampled.
 ///
 /// Throws InputError "sampling_too_fine" if a fixed length asks for more than 5 million points,
 /// "sampling_negative" if it is negative or no number. O(n log n) in the vertices of the result.
@@ -48,7 +49,12 @@ RefinedSurface refine_sampling(const TriangleSurface& surface, const SamplingOpt
 
 namespace detail {
 
-inline constexpr std::size_t kMostAutomatic = 4000;
+/// Lengths are multiplied by powers of this, which are exact in binary.
+inline constexpr double kLengthStep = 1.5;
+/// The most points for lengths multiplied by less than `kSufficient`, and by more.
+inline constexpr std::size_t kMostToRefine = 1500;
+inline constexpr std::size_t kMostToSuffice = 8000;
+inline constexpr double kSufficient = 2.0;
 inline constexpr std::size_t kMostFixed = 5000000;
 
 /// A lower bound, but for the genus, on the points of a triangulation of the surface with edges up
@@ -68,21 +74,22 @@ inline double least_points(const TriangleSurface& surface, double length) {
                    "The sampling length asks for more than 5 million points. Choose a longer one.");
 }
 
-/// Splits by thickness, with all lengths multiplied by the least power of 3/2 that keeps the number
-/// of points within bounds.
+/// Splits by thickness, in steps of the lengths allowed, as far as the number of points lets it
+/// come to the end of a step: rows of needles are hard to recover where only some of them are
+/// split.
 inline RefinedSurface split_by_thickness(const TriangleSurface& surface, const SurfaceTree& tree,
                                          const CoarseShells& coarse, unsigned threads,
                                          const Progress& progress) {
   const std::size_t count = surface.points.size();
   const LengthByThickness allowed(surface, tree, coarse, thread_count(threads));
   SurfaceRefiner refiner(unrefined(surface));
-  WorstFirstSplitter splitter(refiner, allowed, count + std::max(count, kMostAutomatic));
-  constexpr double kStep = 1.5;
-  double factor = 1.0;
-  while (factor < splitter.worst_excess()) factor *= kStep;
-  // Worst first is the same for all factors: what splits up to a larger one is done already.
+  WorstFirstSplitter splitter(refiner, allowed);
+  double excess = 1.0;
+  while (excess < splitter.worst_excess()) excess *= kLengthStep;
   RefinedSurface refined = refiner.surface();
-  for (; factor >= 1.0 && splitter.run(factor, progress); factor /= kStep) {
+  for (; excess >= 1.0; excess /= kLengthStep) {
+    const std::size_t most = excess < kSufficient ? kMostToRefine : kMostToSuffice;
+    if (!splitter.run(excess, count + std::max(count, most), progress)) break;
     if (refiner.surface().surface.points.size() > refined.surface.points.size()) {
       refined = refiner.surface();
     }
@@ -113,7 +120,7 @@ inline RefinedSurface refine_sampling(const TriangleSurface& surface,
   const std::size_t most = count + detail::kMostFixed;
   SurfaceRefiner refiner(unrefined(surface));
   const FixedLength allowed(length);
-  if (!WorstFirstSplitter(refiner, allowed, most).run(1.0, progress)) {
+  if (!WorstFirstSplitter(refiner, allowed).run(1.0, most, progress)) {
     detail::refuse_fine_sampling();
   }
   return std::move(refiner).release();

@@ -61,8 +61,8 @@ inline WorkBounds work_bounds(std::size_t points, double effort) {
     const double bound = effort * (spare + per_point * static_cast<double>(points));
     return bound < static_cast<double>(most) ? static_cast<decltype(most)>(bound) : most;
   };
-  return {scaled(5e4, 2.0, std::numeric_limits<int>::max()),
-          scaled(2e7, 2e3, std::numeric_limits<std::uint64_t>::max())};
+  return {scaled(7.5e4, 3.0, std::numeric_limits<int>::max()),
+          scaled(3e7, 3e3, std::numeric_limits<std::uint64_t>::max())};
 }
 
 /// Flips T towards the mesh and recovers it. Bounded work; incomplete if the bounds didn't do.
