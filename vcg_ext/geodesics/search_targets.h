@@ -112,10 +112,10 @@ class SearchTargets {
   }
 
   /// Whether a path through a window, wherever it passes it, can still matter. `interval` is the
-  /// window's, `offset` the distance of its root from the start.
-  bool matters(const Window& window, const WindowInterval& interval, double offset) const {
-    const UnfoldedCorner& tail = window.ends[Window::kTail];
-    const UnfoldedCorner& head = window.ends[Window::kHead];
+  /// window's, `offset` the distance of its root from the start, `tail_rests` and `head_rests` what
+  /// `rests` said of the ends of its edge.
+  bool matters(const Window& window, const WindowInterval& interval, double offset,
+               Index tail_rests, Index head_rests) const {
     // From the far end of the window, what is left beyond an end of the edge is least.
     const double by_tail =
         offset + std::sqrt(interval.right_square) - interval.right * interval.length;
@@ -123,7 +123,7 @@ class SearchTargets {
         offset + std::sqrt(interval.left_square) - (1.0 - interval.left) * interval.length;
     const EdgeInSpace edge(mesh_, window, interval.length);
     for (std::size_t i = 0; i < aims_.size(); ++i) {
-      if (std::min(rests_[tail.rests + i] - by_tail, rests_[head.rests + i] - by_head) < 0.0)
+      if (std::min(rests_[tail_rests + i] - by_tail, rests_[head_rests + i] - by_head) < 0.0)
         continue;
       if (is_within(window, interval, edge, aims_[i], offset)) return true;
     }

@@ -15,14 +15,11 @@
 
 namespace mgf {
 
-/// A vertex where the root sees it. Lengths are from the root on, without the way to the root.
+/// A vertex where the root sees it.
 struct UnfoldedCorner {
   Vec2 place;
   double past_left = 0.0;   ///< cross product with the left ray: > 0 to the left of it
   double past_right = 0.0;  ///< the same with the right ray
-  double rest = 0.0;   ///< no path to the vertex that is longer than this matters to any target
-  Index rests = 0;     ///< where that is kept for each target; see SearchTargets::rests
-  double limit = 0.0;  ///< `rest`, or if less the length of some path to the vertex
   Index vertex = kNone;
 };
 

@@ -118,6 +118,9 @@ class WindowPropagation {
   static constexpr std::size_t kSpareWindows = std::size_t{1} << 17U;
   static constexpr std::size_t kWindowsPerTriangle = 300;
   static constexpr double kBandWidth = 16.0;  ///< in mean edges
+  /// A window that doesn't part is checked after so many triangles. Most pass, and a check takes as
+  /// long as to go on by a triangle.
+  static constexpr Index kCheckEvery = 4;
 
   /// What the search knows of a vertex.
   struct VertexState {
@@ -305,10 +308,6 @@ class WindowPropagation {
     corner.place.y = place.y;
     corner.past_left = past_left;
     corner.past_right = past_right;
-    corner.rest = rest_at(v) - offset_;
-    const double detour = pruning_.vertex_filters ? padded(states_[v].bound) - offset_ : kInfinity;
-    corner.limit = std::min(corner.rest, detour);
-    corner.rests = states_[v].rests;
     corner.vertex = v;
   }
 
@@ -352,7 +351,7 @@ class WindowPropagation {
     set_corner(crossing.apex, apex, past_left, past_right, w.ends[1 - side]);
     w.halfedge = crossing.beyond[side];
     trails_.turn(side, w.trail);
-    return is_useful(w);
+    return w.trail.count % kCheckEvery != 0 || is_useful(w);
   }
 
   /// The apex lies between the rays: some pass it on the left, some on the right.
@@ -425,22 +424,33 @@ class WindowPropagation {
   /// more than the way from one to the other. From the far end of the window, an end of the edge is
   /// a detour for none of its paths or for all.
   bool can_matter(const Window& w, const WindowInterval& interval) {
-    const UnfoldedCorner& tail = w.ends[Window::kTail];
-    const UnfoldedCorner& head = w.ends[Window::kHead];
+    const Index tail = w.ends[Window::kTail].vertex;
+    const Index head = w.ends[Window::kHead].vertex;
     const double length = interval.length;
     const double left = interval.left * length;
     const double right = interval.right * length;
-    if (std::max(interval.right_square - signed_square(tail.limit + right),
-                 interval.left_square - signed_square(head.limit + (length - left))) > 0.0) {
+    const double tail_rest = rest_at(tail) - offset_;
+    const double head_rest = rest_at(head) - offset_;
+    const double tail_limit = std::min(tail_rest, most_without_detour(tail));
+    const double head_limit = std::min(head_rest, most_without_detour(head));
+    if (std::max(interval.right_square - signed_square(tail_limit + right),
+                 interval.left_square - signed_square(head_limit + (length - left))) > 0.0) {
       return false;
     }
-    return std::min(interval.left_square - signed_square(tail.rest - left),
-                    interval.right_square - signed_square(head.rest - (length - right))) <= 0.0 ||
-           !pruning_.ellipse || targets_.matters(w, interval, offset_);
+    return std::min(interval.left_square - signed_square(tail_rest - left),
+                    interval.right_square - signed_square(head_rest - (length - right))) <= 0.0 ||
+           !pruning_.ellipse ||
+           targets_.matters(w, interval, offset_, states_[tail].rests, states_[head].rests);
+  }
+
+  /// The longest that a path from the root to v may be and not be a detour.
+  double most_without_detour(Index v) const {
+    return pruning_.vertex_filters ? padded(states_[v].bound) - offset_ : kInfinity;
   }
 
   /// To compare a length given by its square with one that may be negative.
   static double signed_square(double x) { return x * std::abs(x); }
+
   // ---- paths ----
 
   /// The straight piece from a root along a trail to a place.
