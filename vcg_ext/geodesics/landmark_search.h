@@ -89,11 +89,11 @@ inline std::vector<double> distances_from(const HalfedgeMesh& mesh, Index landma
 /// what the first one takes; none if that is fewer than kFewestLandmarks, or if a triangle is thin,
 /// as distances from afar are uncertain there. The result does not depend on the number of threads.
 ///
-/// Cost: about that many windows (four times as many at most, where the first one lies on a small
+/// Cost: about that many windows (five times as many at most, where the first one lies on a small
 /// shell), and a number per vertex and landmark.
 inline Landmarks place_landmarks(const HalfedgeMesh& mesh, std::size_t most_windows,
                                  unsigned threads, const Progress& progress = {}) {
-  constexpr std::size_t kFewestLandmarks = 8;  // fewer save less than they take
+  constexpr std::size_t kFewestLandmarks = 6;  // fewer save less than they take
   constexpr std::size_t kMostLandmarks = 32;
   constexpr std::size_t kWindowsPerVertex = 30;  // ten an edge, where the way is long
   Landmarks landmarks;

@@ -167,9 +167,9 @@ class PathCertificate {
   }
 
   /// Places landmarks if by the searches done so far they will save more than they take: with a
-  /// tenth of the windows that those still to be done would make. Returns how many there are.
+  /// fifth of the windows that those still to be done would make. Returns how many there are.
   std::size_t use_landmarks(const Progress& progress) {
-    constexpr double kShare = 0.1;
+    constexpr double kShare = 0.2;
     const auto done = static_cast<double>(std::count(done_.begin(), done_.end(), char{1}));
     if (done == 0.0) return 0;
     std::size_t windows = 0;
