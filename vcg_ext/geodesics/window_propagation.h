@@ -22,6 +22,7 @@
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/landmarks.h"
 #include "vcg_ext/geodesics/search_bands.h"
+#include "vcg_ext/geodesics/search_bounds.h"
 #include "vcg_ext/geodesics/search_targets.h"
 #include "vcg_ext/geodesics/surface_place.h"
 #include "vcg_ext/geodesics/trail.h"
@@ -29,13 +30,6 @@
 #include "vcg_ext/geodesics/window.h"
 
 namespace mgf {
-
-/// Which of the searches' shortcuts are taken. The answer is the same with any of them.
-struct PropagationPruning {
-  bool vertex_filters = true;  ///< drop windows that a vertex nearby serves better
-  bool clip_shadows = true;    ///< clip what leaves a saddle to its shadow
-  bool ellipse = true;         ///< drop windows too far off to matter to any target
-};
 
 /// The workspace of window propagation on one mesh; one per thread. Memory: some numbers per vertex
 /// and triangle, and what waits of the largest search.
@@ -48,10 +42,14 @@ class WindowPropagation {
         pruning_(pruning),
         tolerance_(1e-10 * mesh.mean_edge),
         targets_(mesh, tolerance_, landmarks),
-        states_(mesh.vertex_count()),
+        bounds_(mesh, pruning, tolerance_, targets_),
+        last_root_(mesh.vertex_count(), kNone),
         bands_(kBandWidth * mesh.mean_edge),
         most_windows_(
             std::min(kMostWindows, kSpareWindows + kWindowsPerTriangle * mesh.triangle_count())) {}
+
+  WindowPropagation(const WindowPropagation&) = delete;  // its parts refer to each other
+  WindowPropagation& operator=(const WindowPropagation&) = delete;
 
   /// Searches from `start` until every target's distance is certain, or certain to be beyond its
   /// limit; without targets, and without `PropagationPruning::ellipse`, until every vertex's is.
@@ -64,7 +62,7 @@ class WindowPropagation {
     root.vertex = start.vertex;
     roots_.push_back(root);
     if (start.vertex != kNone) {
-      lower_bound_at(start.vertex, 0.0);
+      bounds_.learn(start.vertex, 0.0);
       spread(0);
     } else {
       spread_in_triangle();
@@ -82,7 +80,7 @@ class WindowPropagation {
 
   /// Length of some path from the last run's start to v; the distance, if that run was complete and
   /// had no targets. Infinity if it didn't come there.
-  double vertex_bound(Index v) const { return states_[v].bound; }
+  double vertex_bound(Index v) const { return bounds_.known(v); }
 
   /// Length of the path found to target i of the last run; infinity if there is none. No path is
   /// shorter than the lesser of that and the target's limit.
@@ -122,48 +120,20 @@ class WindowPropagation {
   /// long as to go on by a triangle.
   static constexpr Index kCheckEvery = 4;
 
-  /// What the search knows of a vertex.
-  struct VertexState {
-    double bound = kInfinity;  ///< length of some path from the start
-    double rest = kInfinity;   ///< the most of its rests; infinity if not yet asked
-    Index rests = 0;           ///< see SearchTargets::rests
-    Index last_root = kNone;   ///< the last root put there
-  };
-
-  double padded(double bound) const { return bound + tolerance_; }
-
   void begin(const std::vector<PropagationTarget>& targets) {
-    for (const Index v : touched_) states_[v] = {};
-    touched_.clear();
+    bounds_.clear();
+    for (const SearchRoot& root : roots_) {
+      if (root.vertex != kNone) last_root_[root.vertex] = kNone;
+    }
     roots_.clear();
     trails_.clear();
     bands_.clear();
     targets_.assign(targets);
     for (const PropagationTarget& target : targets) {
-      if (target.place.vertex != kNone) lower_bound_at(target.place.vertex, target.known);
+      if (target.place.vertex != kNone) bounds_.learn(target.place.vertex, target.known);
     }
     met_thin_triangle_ = false;
     window_count_ = 0;
-  }
-
-  /// The longest that a path to v may be and still matter.
-  double rest_at(Index v) {
-    const double rest = states_[v].rest;
-    return rest == kInfinity && pruning_.ellipse ? ask_rest(v) : rest;
-  }
-
-  double ask_rest(Index v) {
-    touched_.push_back(v);
-    VertexState& state = states_[v];
-    state.rests = targets_.rests(v, state.rest);
-    return state.rest;
-  }
-
-  void lower_bound_at(Index v, double distance) {
-    double& bound = states_[v].bound;
-    if (distance >= bound) return;
-    if (bound == kInfinity) touched_.push_back(v);
-    bound = distance;
   }
 
   void drain() {
@@ -181,7 +151,7 @@ class WindowPropagation {
 
   /// Whether a shorter path to the root has turned up since.
   bool is_stale(const SearchRoot& root) const {
-    return root.vertex != kNone && root.offset > padded(states_[root.vertex].bound);
+    return root.vertex != kNone && bounds_.is_detour(root.vertex, root.offset);
   }
 
   // ---- arrivals at vertices ----
@@ -190,20 +160,20 @@ class WindowPropagation {
   /// `arrival()` says.
   template <class Direction>
   void arrive(Index v, double distance, Index root, const Trail& trail, const Direction& arrival) {
-    lower_bound_at(v, distance);
+    bounds_.learn(v, distance);
     for (Index i = targets_.first_at_vertex(v); i != kNone; i = targets_[i].next) {
       targets_.arrive(i, distance, root, trail);
     }
-    if (distance > padded(states_[v].bound) || !mesh_.is_saddle(v) || distance > rest_at(v)) return;
+    if (bounds_.is_detour(v, distance) || !mesh_.is_saddle(v) || distance > bounds_.rest(v)) return;
     bands_.put_off({distance, arrival(), v, root, trail});
   }
 
   /// Goes on from a saddle.
   void leave_saddle(const SearchRoot& saddle) {
-    if (is_stale(saddle) || saddle.offset > rest_at(saddle.vertex)) return;
-    Index& last = states_[saddle.vertex].last_root;
+    if (is_stale(saddle) || saddle.offset > bounds_.rest(saddle.vertex)) return;
+    Index& last = last_root_[saddle.vertex];
     if (last != kNone && std::abs(roots_[last].arrival - saddle.arrival) < 1e-9 &&
-        roots_[last].offset <= padded(saddle.offset)) {
+        roots_[last].offset <= saddle.offset + tolerance_) {
       return;
     }
     last = to_index(roots_.size());
@@ -408,7 +378,7 @@ class WindowPropagation {
   bool is_useful(const Window& w) {
     const WindowInterval interval(w);
     if (interval.right - interval.left <= 1e-13) return false;
-    if (!can_matter(w, interval)) return false;
+    if (!bounds_.can_matter(w, interval, offset_)) return false;
     const double nearest_square = std::min(interval.left_square, interval.right_square);
     if (!(nearest_square > horizon_square_)) return true;
     const double width = (interval.right - interval.left) * interval.length;
@@ -418,38 +388,6 @@ class WindowPropagation {
     }
     return false;
   }
-
-  /// Whether a path through a window can still matter. The ends of its edge tell for most: what is
-  /// left of a bound at a point, and the length of a way to it, differ between two points by no
-  /// more than the way from one to the other. From the far end of the window, an end of the edge is
-  /// a detour for none of its paths or for all.
-  bool can_matter(const Window& w, const WindowInterval& interval) {
-    const Index tail = w.ends[Window::kTail].vertex;
-    const Index head = w.ends[Window::kHead].vertex;
-    const double length = interval.length;
-    const double left = interval.left * length;
-    const double right = interval.right * length;
-    const double tail_rest = rest_at(tail) - offset_;
-    const double head_rest = rest_at(head) - offset_;
-    const double tail_limit = std::min(tail_rest, most_without_detour(tail));
-    const double head_limit = std::min(head_rest, most_without_detour(head));
-    if (std::max(interval.right_square - signed_square(tail_limit + right),
-                 interval.left_square - signed_square(head_limit + (length - left))) > 0.0) {
-      return false;
-    }
-    return std::min(interval.left_square - signed_square(tail_rest - left),
-                    interval.right_square - signed_square(head_rest - (length - right))) <= 0.0 ||
-           !pruning_.ellipse ||
-           targets_.matters(w, interval, offset_, states_[tail].rests, states_[head].rests);
-  }
-
-  /// The longest that a path from the root to v may be and not be a detour.
-  double most_without_detour(Index v) const {
-    return pruning_.vertex_filters ? padded(states_[v].bound) - offset_ : kInfinity;
-  }
-
-  /// To compare a length given by its square with one that may be negative.
-  static double signed_square(double x) { return x * std::abs(x); }
 
   // ---- paths ----
 
@@ -469,8 +407,8 @@ class WindowPropagation {
   PropagationPruning pruning_;
   double tolerance_;  ///< lengths that differ by less are the same
   SearchTargets targets_;
-  std::vector<VertexState> states_;  ///< one per vertex
-  std::vector<Index> touched_;       ///< vertices with a bound or a rest
+  SearchBounds bounds_;
+  std::vector<Index> last_root_;  ///< one per vertex: the last root put there, or kNone
   SurfacePlace start_;
   std::vector<SearchRoot> roots_;
   SearchBands bands_;
