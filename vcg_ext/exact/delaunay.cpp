@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "vcg_ext/core/errors.h"
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/random.h"
 #include "vcg_ext/exact/cgal_kernel.h"
 
@@ -99,44 +100,44 @@ TetrahedronArrays as_stored(const Delaunay& delaunay) {
 
 // Renumbers tetrahedra by their ascending corners: what is near among the points is near among the
 // tetrahedra, and CGAL's way to them leaves no trace.
-TetrahedronArrays in_order_of_corners(const TetrahedronArrays& stored, std::size_t point_count) {
+TetrahedronArrays in_order_of_corners(const TetrahedronArrays& stored, std::size_t point_count,
+                                      unsigned threads) {
+  constexpr std::size_t kChunk = 1024;
   std::vector<Index> least;
   least.reserve(stored.corners.size());
   for (const Tetrahedron& t : stored.corners)
     least.push_back(*std::min_element(t.begin(), t.end()));
-  const Rows<Index> by_least = group_by_key(least, point_count);
-  std::vector<Index> order;
-  order.reserve(stored.corners.size());
-  std::vector<Tetrahedron> row;  // the three other corners, ascending, and the number
-  for (std::size_t v = 0; v < point_count; ++v) {
-    row.clear();
+  Rows<Index> by_least = group_by_key(least, point_count);
+  parallel_for(point_count, threads, kChunk, [&](std::size_t v, unsigned) {
+    std::vector<Tetrahedron> row;  // the three other corners, ascending, and the number
     for (const Index t : by_least[v]) {
       Tetrahedron entry = stored.corners[t];
       std::sort(entry.begin(), entry.end());
       row.push_back({entry[1], entry[2], entry[3], t});
     }
     std::sort(row.begin(), row.end());
-    for (const Tetrahedron& entry : row) order.push_back(entry[3]);
-  }
+    for (std::size_t i = 0; i < row.size(); ++i) by_least.items[by_least.begin[v] + i] = row[i][3];
+  });
+  const std::vector<Index>& order = by_least.items;
   std::vector<Index> number(order.size());
   for (Index i = 0; i < order.size(); ++i) number[order[i]] = i;
   TetrahedronArrays result;
-  result.corners.reserve(order.size());
-  result.neighbours.reserve(order.size());
-  for (const Index t : order) {
-    Tetrahedron corners = stored.corners[t];
-    std::array<Index, 4> neighbours = stored.neighbours[t];
+  result.corners.resize(order.size());
+  result.neighbours.resize(order.size());
+  parallel_for(order.size(), threads, kChunk, [&](std::size_t i, unsigned) {
+    Tetrahedron corners = stored.corners[order[i]];
+    std::array<Index, 4> neighbours = stored.neighbours[order[i]];
     for (Index& u : neighbours) u = u == kNone ? kNone : number[u];
     least_first(corners, neighbours);
-    result.corners.push_back(corners);
-    result.neighbours.push_back(neighbours);
-  }
+    result.corners[i] = corners;
+    result.neighbours[i] = neighbours;
+  });
   return result;
 }
 
 }  // namespace
 
-TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points) {
+TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads) {
   const Delaunay delaunay = triangulate(points);
   if (const std::size_t repeated = points.size() - delaunay.number_of_vertices(); repeated != 0) {
     throw InputError(
@@ -146,7 +147,7 @@ TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points) {
             "from the origin that no digits are left for points between its vertices: centre it "
             "with 'Transform: Translate, Center, set Origin'.");
   }
-  return in_order_of_corners(as_stored(delaunay), points.size());
+  return in_order_of_corners(as_stored(delaunay), points.size(), threads);
 }
 
 }  // namespace mgf

@@ -105,7 +105,7 @@ namespace boxed_detail {
 // Fills in what follows from points and faces.
 inline void prepare_recovery(BoxedSurface& boxed, unsigned threads) {
   parallel_both(
-      threads, [&] { boxed.delaunay = delaunay_tetrahedra(boxed.points); },
+      threads, [&] { boxed.delaunay = delaunay_tetrahedra(boxed.points, threads); },
       [&] { boxed.flat = flip_flat_edges(boxed.points, boxed.faces); });
 }
 
