@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Windows on their way: their trails, and searches longer than a band of distances.
+// Windows on their way: their trails, what a search knows, and searches longer than a band of
+// distances.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +10,9 @@
 
 #include "geodesics_fixtures.h"
 #include "vcg_ext/core/constants.h"
+#include "vcg_ext/geodesics/search_bounds.h"
+#include "vcg_ext/geodesics/search_targets.h"
+#include "vcg_ext/geodesics/surface_place.h"
 #include "vcg_ext/geodesics/trail.h"
 #include "vcg_ext/geodesics/window.h"
 #include "vcg_ext/geodesics/window_propagation.h"
@@ -55,6 +59,29 @@ TEST(Crossing, LeadsToTheTrianglesBeyond) {
         place_beside({0.0, 0.0}, {mesh.halfedges[h].length, 0.0}, crossing.along, crossing.across);
     EXPECT_NEAR(norm(apex - mesh.halfedges[h].apex), 0.0, 1e-15);
   }
+}
+
+TEST(SearchBounds, KeepTheShortestLengthAndWhatIsLeftForTheTargets) {
+  const HalfedgeMesh mesh = make_halfedge_mesh(bumpy_sphere(2, 0.2, 3));
+  constexpr double kTolerance = 1e-12;
+  SearchTargets targets(mesh, kTolerance, nullptr);
+  SearchBounds bounds(mesh, {}, kTolerance, targets);
+  const auto aim_at = [&](Index v, double known) {
+    targets.assign({{place_of_vertex(mesh, v), known, known}});
+  };
+  aim_at(7, 3.0);
+  EXPECT_EQ(bounds.known(3), kInfinity);
+  EXPECT_FALSE(bounds.is_detour(3, 1e9));
+  bounds.learn(3, 2.0);
+  bounds.learn(3, 2.5);
+  EXPECT_EQ(bounds.known(3), 2.0);
+  EXPECT_TRUE(bounds.is_detour(3, 2.1));
+  EXPECT_FALSE(bounds.is_detour(3, 2.0 + 0.5 * kTolerance));
+  EXPECT_NEAR(bounds.rest(3), 3.0 - (mesh.points[7] - mesh.points[3]).norm(), 1e-11);
+  bounds.clear();
+  aim_at(9, 1.5);
+  EXPECT_EQ(bounds.known(3), kInfinity);
+  EXPECT_NEAR(bounds.rest(3), 1.5 - (mesh.points[9] - mesh.points[3]).norm(), 1e-11);
 }
 
 TEST(WindowInterval, IsWhereTheRaysMeetTheEdge) {

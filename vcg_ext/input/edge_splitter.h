@@ -20,24 +20,24 @@ template <class Allowed>
 class WorstFirstSplitter {
  public:
   WorstFirstSplitter(SurfaceRefiner& refiner, const Allowed& allowed)
-      : refiner_(refiner), allowed_(allowed) {
+      : refiner_(refiner), allowed_(allowed), first_points_(point_count()) {
     for (Index side = 0; side < refiner_.side_count(); ++side) {
       if (side < refiner_.twin(side)) consider(side);
     }
   }
 
-  /// No edge is more than this many times as long as allowed.
+  /// No edge that can be split is more than this many times as long as allowed.
   double worst_excess() const { return queue_.empty() ? 1.0 : queue_.top().excess; }
 
-  /// Goes on until no edge is more than `excess` >= 1 times as long as allowed. Returns whether it
-  /// came there with less than `most_points`; at that number it ends.
+  /// Goes on until no edge that can be split is more than `excess` >= 1 times as long as allowed.
+  /// Returns whether it came there with less than `most_points`; at that number it ends.
   bool run(double excess, std::size_t most_points, const Progress& progress) {
-    const std::size_t first = point_count();
     while (point_count() < most_points && worst_excess() > excess) {
-      const std::size_t added = point_count() - first;
+      const std::size_t added = point_count() - first_points_;
       if (added % kReportEvery == 0) {
-        progress.report(static_cast<double>(added) / static_cast<double>(most_points - first),
-                        "sampling");
+        progress.report(
+            static_cast<double>(added) / static_cast<double>(most_points - first_points_),
+            "sampling");
       }
       const Candidate worst = queue_.top();
       queue_.pop();
@@ -133,6 +133,7 @@ class WorstFirstSplitter {
 
   SurfaceRefiner& refiner_;
   const Allowed& allowed_;
+  std::size_t first_points_;
   std::priority_queue<Candidate> queue_;
   std::vector<Index> changed_;   // faces of the present split
   std::vector<Index> suspects_;  // sides that may have to be flipped

@@ -49,7 +49,7 @@ RefinedSurface refine_sampling(const TriangleSurface& surface, const SamplingOpt
 
 namespace detail {
 
-/// Lengths are multiplied by powers of this, which are exact in binary.
+/// Lengths are multiplied by powers of this.
 inline constexpr double kLengthStep = 1.5;
 /// The most points for lengths multiplied by less than `kSufficient`, and by more.
 inline constexpr std::size_t kMostToRefine = 1500;
@@ -84,12 +84,14 @@ inline RefinedSurface split_by_thickness(const TriangleSurface& surface, const S
   const LengthByThickness allowed(surface, tree, coarse, thread_count(threads));
   SurfaceRefiner refiner(unrefined(surface));
   WorstFirstSplitter splitter(refiner, allowed);
-  double excess = 1.0;
-  while (excess < splitter.worst_excess()) excess *= kLengthStep;
+  std::vector<double> factors{1.0};
+  while (factors.back() < splitter.worst_excess()) {
+    factors.push_back(kLengthStep * factors.back());
+  }
   RefinedSurface refined = refiner.surface();
-  for (; excess >= 1.0; excess /= kLengthStep) {
-    const std::size_t most = excess < kSufficient ? kMostToRefine : kMostToSuffice;
-    if (!splitter.run(excess, count + std::max(count, most), progress)) break;
+  for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor) {
+    const std::size_t most = *factor < kSufficient ? kMostToRefine : kMostToSuffice;
+    if (!splitter.run(*factor, count + std::max(count, most), progress)) break;
     if (refiner.surface().surface.points.size() > refined.surface.points.size()) {
       refined = refiner.surface();
     }
