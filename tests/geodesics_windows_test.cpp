@@ -10,6 +10,7 @@
 
 #include "geodesics_fixtures.h"
 #include "vcg_ext/core/constants.h"
+#include "vcg_ext/geodesics/search_bands.h"
 #include "vcg_ext/geodesics/search_bounds.h"
 #include "vcg_ext/geodesics/search_targets.h"
 #include "vcg_ext/geodesics/surface_place.h"
@@ -84,6 +85,26 @@ TEST(SearchBounds, KeepTheShortestLengthAndWhatIsLeftForTheTargets) {
   EXPECT_NEAR(bounds.rest(3), 1.5 - (mesh.points[9] - mesh.points[3]).norm(), 1e-11);
 }
 
+TEST(SearchBands, TakeWindowsOfAnyDistance) {
+  SearchBands bands(2.0);
+  Window window;
+  for (const double nearest : {-7.0, 0.5, 5.0}) {
+    window.root = static_cast<Index>(nearest + 10.0);
+    EXPECT_TRUE(bands.put_off(window, nearest));
+  }
+  EXPECT_FALSE(bands.put_off(window, 1e12));
+  EXPECT_FALSE(bands.put_off(window, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_TRUE(bands.take_windows().empty());
+  ASSERT_TRUE(bands.advance());  // what lies before the next band is taken there
+  ASSERT_EQ(bands.take_windows().size(), 2U);
+  EXPECT_EQ(bands.take_windows().size(), 0U);
+  ASSERT_TRUE(bands.advance());
+  const std::vector<Window>& last = bands.take_windows();
+  ASSERT_EQ(last.size(), 1U);
+  EXPECT_EQ(last[0].root, 15U);
+  EXPECT_FALSE(bands.advance());
+}
+
 TEST(WindowInterval, IsWhereTheRaysMeetTheEdge) {
   Window window;
   window.left_ray = {-1.0, 4.0};
@@ -153,6 +174,31 @@ TEST_F(LongPrism, SearchesThatAreGivenUpSaySo) {
   const PropagationTarget near{place_of_vertex(mesh, corner(1, 0.0)), 1.0, 1.0};
   EXPECT_TRUE(search.run(place_of_vertex(mesh, corner(0, 0.0)), {near}));
   EXPECT_NEAR(search.distance(0), 2.0 * std::sin(kPi / kSides), 1e-12);
+}
+
+TEST(WindowPropagation, IsTheSameWhereEdgesAreFarLongerThanMost) {
+  // The small sphere makes bands of distances narrow; windows on the box are far wider than those.
+  TriangleSurface both = gridded_box(Vec3(30.0, 20.0, 1.0), 2, 1, 1);
+  const HalfedgeMesh alone = make_halfedge_mesh(both);
+  const Index offset = to_index(both.points.size());
+  const TriangleSurface small = bumpy_sphere(6, 0.1, 1);
+  for (const Vec3& p : small.points) both.points.push_back(0.01 * p + Vec3(0.0, 0.0, 50.0));
+  for (const Triangle& t : small.triangles) {
+    both.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  }
+  const HalfedgeMesh mesh = make_halfedge_mesh(both);
+  ASSERT_LT(16.0 * mesh.mean_edge, 0.5);
+  PropagationPruning everywhere;
+  everywhere.ellipse = false;
+  WindowPropagation search(mesh, everywhere);
+  WindowPropagation expected(alone, everywhere);
+  for (Index start = 0; start < offset; ++start) {
+    ASSERT_TRUE(search.run(place_of_vertex(mesh, start), {}));
+    ASSERT_TRUE(expected.run(place_of_vertex(alone, start), {}));
+    for (Index v = 0; v < offset; ++v) {
+      EXPECT_NEAR(search.vertex_bound(v), expected.vertex_bound(v), 1e-12);
+    }
+  }
 }
 
 }  // namespace

@@ -48,10 +48,10 @@ class SearchBands {
     return band_ <= last_ || !queue_.empty();
   }
 
-  /// Keeps a window for the band that `nearest` lies in, a later one than the present. False if it
-  /// would be beyond 1e8 bands.
+  /// Keeps a window for the band that `nearest` lies in, at least the next one; it may be less than
+  /// nothing, as a lower bound of a distance. False if it would be beyond 1e8 bands.
   bool put_off(const Window& window, double nearest) {
-    const double position = nearest / width_;
+    const double position = std::max(nearest, 0.0) / width_;
     if (!(position <= kMostBands)) return false;
     const std::size_t band = std::max(band_ + 1, static_cast<std::size_t>(position));
     if (band >= windows_.size()) windows_.resize(band + 1);
