@@ -52,7 +52,7 @@ namespace detail {
 /// Lengths are multiplied by powers of this.
 inline constexpr double kLengthStep = 1.5;
 /// The most points for lengths multiplied by less than `kSufficient`, and by more.
-inline constexpr std::size_t kMostToRefine = 1500;
+inline constexpr std::size_t kMostToRefine = 2000;
 inline constexpr std::size_t kMostToSuffice = 8000;
 inline constexpr double kSufficient = 2.0;
 inline constexpr std::size_t kMostFixed = 5000000;
