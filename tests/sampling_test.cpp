@@ -137,6 +137,18 @@ TEST(Sampling, StaysWithinItsBudget) {
   EXPECT_GT(refined.surface.points.size(), 2000U);  // half the length takes up to four times more
 }
 
+TEST(Sampling, SpendsManyPointsOnlyWhereFewDoNotSuffice) {
+  for (const double thickness : {0.09, 0.06, 0.04, 0.03}) {
+    const TriangleSurface plate = box(1, 1, thickness);
+    const std::size_t few = plate.points.size() + detail::kMostToRefine;
+    const double longer = 1.5 * detail::kEdgePerThickness * thickness;
+    const bool few_suffice = refine_sampling(plate, {longer}).surface.points.size() < few;
+    const std::size_t points = refine_sampling(plate, {}).surface.points.size();
+    EXPECT_GT(points, 500U) << thickness;
+    EXPECT_TRUE(!few_suffice || points <= few) << thickness;
+  }
+}
+
 TEST(Sampling, SplitsTheSameInStepsAsAtOnce) {
   const FixedLength allowed(0.05);
   constexpr std::size_t kMost = 100000;

@@ -102,6 +102,7 @@ class WorstFirstSplitter {
     for (const Index face : changed_) {
       for (Index i = 0; i < 3; ++i) {
         const Index twin = refiner_.twin(3 * face + i);
+        // An edge between two of them is looked at once.
         const bool is_seen =
             twin < 3 * face && std::binary_search(changed_.begin(), changed_.end(), twin / 3);
         if (!is_seen) consider(3 * face + i);
