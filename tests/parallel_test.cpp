@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstddef>
+#include <future>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -29,16 +31,45 @@ TEST(ParallelFor, ThrowsOnWhatIsThrownInIt) {
   EXPECT_THROW(parallel_for(1000, 2, 16, fail), std::runtime_error);
 }
 
+TEST(ParallelFor, CallsTheFirstWorkerOnTheCallersThread) {
+  const std::thread::id caller = std::this_thread::get_id();
+  parallel_for(1000, 4, 1, [&](std::size_t, unsigned worker) {
+    EXPECT_EQ(std::this_thread::get_id() == caller, worker == 0);
+  });
+}
+
+TEST(ParallelFor, MayBeNestedAndCalledFromManyThreads) {
+  std::vector<std::vector<int>> calls(8, std::vector<int>(100, 0));
+  const auto work = [&](std::size_t first) {
+    parallel_for(4, 4, 1, [&](std::size_t i, unsigned) {
+      std::vector<int>& row = calls[first + i];
+      parallel_for(row.size(), 4, 1, [&](std::size_t j, unsigned) { ++row[j]; });
+    });
+  };
+  std::thread other(work, 4);
+  work(0);
+  other.join();
+  EXPECT_EQ(calls, std::vector<std::vector<int>>(8, std::vector<int>(100, 1)));
+}
+
 TEST(ParallelBeside, WorksOnTheCallersThread) {
   for (const unsigned threads : {1U, 2U}) {
     std::thread::id working;
-    std::thread::id beside;
+    bool has_run_beside = false;
     parallel_beside(
-        threads, [&] { working = std::this_thread::get_id(); },
-        [&] { beside = std::this_thread::get_id(); });
+        threads, [&] { working = std::this_thread::get_id(); }, [&] { has_run_beside = true; });
     EXPECT_EQ(working, std::this_thread::get_id());
-    EXPECT_EQ(beside == working, threads == 1);
+    EXPECT_TRUE(has_run_beside);
   }
+}
+
+TEST(ParallelBeside, RunsBothAtTheSameTime) {
+  std::promise<void> begun;
+  std::future_status status{};
+  parallel_beside(
+      2, [&] { status = begun.get_future().wait_for(std::chrono::minutes(1)); },
+      [&] { begun.set_value(); });
+  EXPECT_EQ(status, std::future_status::ready);
 }
 
 TEST(ParallelBeside, EndsBothBeforeItThrowsOn) {

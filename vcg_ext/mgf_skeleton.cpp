@@ -3,11 +3,14 @@
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
+#include "vcg_ext/exact/delaunay_ahead.h"
 #include "vcg_ext/input/point_insertion.h"
+#include "vcg_ext/medial/boxed_surface.h"
 #include "vcg_ext/medial/face_lookup.h"
 #include "vcg_ext/medial/placement.h"
 
@@ -99,7 +102,17 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   MedialAxis axis;
   StageClock clock;
   progress.report(0.0, "Checking the mesh");
-  axis.diagnosis = diagnose(input, options.diagnosis);
+  // Few meshes need repair or sampling, so the tetrahedra are begun beside the check.
+  const unsigned threads = thread_count(options.recovery.threads);
+  std::optional<DelaunayAhead> ahead;
+  if (threads > 1) {
+    ahead.emplace([&input] {
+      return has_usable_points(input) ? boxed_vertices(input) : std::vector<Vec3>();
+    });
+  }
+  axis.diagnosis = diagnose(input, options.diagnosis, [&ahead] {
+    if (ahead) ahead->stop();  // as parting them moves vertices
+  });
   axis.working = prepare(input, axis.diagnosis, options.preparation);
   axis.warnings = axis.working.warnings;
   clock.finish("check", axis.times);
@@ -113,7 +126,8 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
 
   RecoveryOptions recovery = options.recovery;
   recovery.known_crossings = axis.working.untangling.left.size();
-  axis.interior = recover_interior(sampled.surface, recovery, progress.slice(0.3, 0.9));
+  axis.interior = recover_interior(sampled.surface, recovery, progress.slice(0.3, 0.9),
+                                   ahead ? &*ahead : nullptr);
   clock.finish("topology", axis.times);
 
   progress.report(0.9, "Medial complex");
@@ -122,7 +136,6 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
       axis.interior.points.end());
   axis.surface = added.empty() ? sampled : insert_points(sampled, added);
   axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
-  const unsigned threads = thread_count(options.recovery.threads);
   const SurfaceTree tree(axis.working.surface);
   axis.complex = build_medial_complex(axis.interior, threads);
   place_voronoi_vertices(axis.interior, axis.complex, threads);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A parallel loop whose results can't depend on the number of threads.
+// Parallel work whose results can't depend on the number of threads.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <exception>
-#include <future>
 #include <thread>
 #include <vector>
+
+#include "vcg_ext/core/thread_pool.h"
 
 namespace mgf {
 
@@ -17,10 +19,23 @@ inline unsigned thread_count(unsigned requested) {
   return requested != 0 ? requested : std::max(1U, std::thread::hardware_concurrency());
 }
 
+namespace detail {
+
+/// Throws the first of the exceptions caught, if any.
+template <class Failures>
+void rethrow_first(const Failures& failures) {
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
+}
+
+}  // namespace detail
+
 /// Calls `body(i, worker)` once for each i in [0, count), in chunks taken by `threads` workers in
-/// no fixed order; `worker` in [0, threads) names the caller's own workspace. The result is the
-/// same for any number of threads if `body(i, ·)` writes only what belongs to i. An exception
-/// stops the loop and is rethrown here after all workers have ended.
+/// no fixed order; `worker` in [0, threads) names the worker's own workspace, and is 0 on the
+/// caller's thread. The result is the same for any number of threads if `body(i, ·)` writes only
+/// what belongs to i. An exception stops the loop and is rethrown here after all workers have
+/// ended.
 template <class Body>
 void parallel_for(std::size_t count, unsigned threads, std::size_t chunk, const Body& body) {
   threads = static_cast<unsigned>(std::min<std::size_t>(
@@ -32,7 +47,7 @@ void parallel_for(std::size_t count, unsigned threads, std::size_t chunk, const 
   std::atomic<std::size_t> next{0};
   std::atomic<bool> stop{false};
   std::vector<std::exception_ptr> failures(threads);
-  const auto work = [&](unsigned worker) {
+  ThreadPool::shared().run(threads, [&](unsigned worker) {
     try {
       while (!stop) {
         const std::size_t first = next.fetch_add(chunk);
@@ -44,26 +59,13 @@ void parallel_for(std::size_t count, unsigned threads, std::size_t chunk, const 
       failures[worker] = std::current_exception();
       stop = true;
     }
-  };
-  std::vector<std::thread> pool;
-  pool.reserve(threads - 1);
-  for (unsigned worker = 1; worker < threads; ++worker) pool.emplace_back(work, worker);
-  work(0);
-  for (std::thread& thread : pool) thread.join();
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  });
+  detail::rethrow_first(failures);
 }
 
-/// Calls both functions, at the same time if there are two threads to do so.
-template <class First, class Second>
-void parallel_both(unsigned threads, const First& first, const Second& second) {
-  parallel_for(2, threads, 1, [&](std::size_t i, unsigned) { i == 0 ? first() : second(); });
-}
-
-/// Calls `work` on this thread and, if there is another, `beside` on that at the same time; else
-/// one after the other. What reports progress belongs in `work`. An exception of either is
-/// rethrown here after both have ended.
+/// Calls `work` on this thread and, if another is free, `beside` on that at the same time; else one
+/// after the other. What reports progress belongs in `work`. An exception of either is rethrown
+/// here after both have ended.
 template <class Work, class Beside>
 void parallel_beside(unsigned threads, const Work& work, const Beside& beside) {
   if (thread_count(threads) <= 1) {
@@ -71,9 +73,22 @@ void parallel_beside(unsigned threads, const Work& work, const Beside& beside) {
     beside();
     return;
   }
-  std::future<void> other = std::async(std::launch::async, beside);
-  work();
-  other.get();
+  std::atomic<bool> is_taken{false};
+  std::array<std::exception_ptr, 2> failures;
+  ThreadPool::shared().run(2, [&](unsigned worker) {
+    try {
+      if (worker == 0) work();
+    } catch (...) {
+      failures[0] = std::current_exception();
+    }
+    if (is_taken.exchange(true)) return;
+    try {
+      beside();
+    } catch (...) {
+      failures[1] = std::current_exception();
+    }
+  });
+  detail::rethrow_first(failures);
 }
 
 }  // namespace mgf

@@ -64,10 +64,15 @@ std::vector<Index> insertion_order(std::size_t count) {
   return group_by_key(round, kMostRounds).items;
 }
 
-Delaunay triangulate(const std::vector<Vec3>& points) {
+Delaunay triangulate(const std::vector<Vec3>& points, const Progress& progress) {
+  constexpr std::size_t kReportEvery = 1024;
   Delaunay delaunay;
   Delaunay::Vertex_handle last;
   for (const Index i : insertion_order(points.size())) {
+    const std::size_t done = delaunay.number_of_vertices();
+    if (done % kReportEvery == 0) {
+      progress.report(static_cast<double>(done) / static_cast<double>(points.size()), "topology");
+    }
     const Kernel::Point_3 point = exact_detail::to_cgal(points[i]);
     last =
         last == Delaunay::Vertex_handle() ? delaunay.insert(point) : delaunay.insert(point, last);
@@ -137,8 +142,9 @@ TetrahedronArrays in_order_of_corners(const TetrahedronArrays& stored, std::size
 
 }  // namespace
 
-TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads) {
-  const Delaunay delaunay = triangulate(points);
+TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads,
+                                      const Progress& progress) {
+  const Delaunay delaunay = triangulate(points, progress);
   if (const std::size_t repeated = points.size() - delaunay.number_of_vertices(); repeated != 0) {
     throw InputError(
         "duplicate_vertices",

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/types.h"
 
 namespace mgf {
@@ -19,8 +20,9 @@ struct TetrahedronArrays {
 /// perturbation, which depends on the coordinates alone, so the set of tetrahedra doesn't depend on
 /// the order of the points (their numbering follows that of the points), nor on the number of
 /// `threads`, which sort them.
-/// Requires finite coordinates and four points not in a plane. Throws `InputError` on duplicates.
-/// About n log n; 4 us a point.
-TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads = 1);
+/// Requires finite coordinates and four points not in a plane, or no points. Throws `InputError` on
+/// duplicates, `Cancelled` if the user stops. About n log n; 4 us a point.
+TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads = 1,
+                                      const Progress& progress = {});
 
 }  // namespace mgf

@@ -247,7 +247,7 @@ inline GluedTopology glued_topology(const std::vector<Tetrahedron>& tetrahedra,
   DualCells cells;
   std::size_t rank2 = 0;
   betti_detail::Solids solids;
-  parallel_both(
+  parallel_beside(
       threads,
       [&] {
         cells = dual_cells(tetrahedra, neighbours);

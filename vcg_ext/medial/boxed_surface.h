@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
+#include "vcg_ext/core/progress.h"
 #include "vcg_ext/core/spatial_order.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/delaunay.h"
+#include "vcg_ext/exact/delaunay_ahead.h"
 #include "vcg_ext/medial/interior_tetrahedra.h"
 #include "vcg_ext/medial/principal_frame.h"
 #include "vcg_ext/medial/surface_flips.h"
@@ -91,6 +93,11 @@ inline std::vector<Vec3> with_box(const OrderedSurface& ordered) {
   return result;
 }
 
+/// The points that recovery of `surface` tetrahedralises first.
+inline std::vector<Vec3> boxed_vertices(const TriangleSurface& surface) {
+  return with_box(in_spatial_order(surface));
+}
+
 /// The Delaunay tetrahedralisation of the vertices of an ordered surface, of the box, and of points
 /// added before recovery, in this order; and the faces to be recovered.
 struct BoxedSurface {
@@ -103,26 +110,32 @@ struct BoxedSurface {
 namespace boxed_detail {
 
 // Fills in what follows from points and faces.
-inline void prepare_recovery(BoxedSurface& boxed, unsigned threads) {
-  parallel_both(
-      threads, [&] { boxed.delaunay = delaunay_tetrahedra(boxed.points, threads); },
+inline void prepare_recovery(BoxedSurface& boxed, unsigned threads, const Progress& progress,
+                             DelaunayAhead* ahead) {
+  parallel_beside(
+      threads,
+      [&] {
+        boxed.delaunay = ahead != nullptr ? ahead->finish(boxed.points, threads, progress)
+                                          : delaunay_tetrahedra(boxed.points, threads, progress);
+      },
       [&] { boxed.flat = flip_flat_edges(boxed.points, boxed.faces); });
 }
 
 }  // namespace boxed_detail
 
-/// `ordered` in its box.
-inline BoxedSurface boxed(const OrderedSurface& ordered, unsigned threads = 1) {
+/// `ordered` in its box. `ahead`: a tetrahedralisation of these points begun before, or nullptr.
+inline BoxedSurface boxed(const OrderedSurface& ordered, unsigned threads = 1,
+                          const Progress& progress = {}, DelaunayAhead* ahead = nullptr) {
   BoxedSurface result;
   result.points = with_box(ordered);
   result.faces = ordered.surface.triangles;
-  boxed_detail::prepare_recovery(result, threads);
+  boxed_detail::prepare_recovery(result, threads, progress, ahead);
   return result;
 }
 
 /// A refinement of `ordered`, whose vertices come first in it, in the same box.
 inline BoxedSurface boxed(const OrderedSurface& ordered, const TriangleSurface& refined,
-                          unsigned threads) {
+                          unsigned threads, const Progress& progress) {
   BoxedSurface result;
   const std::size_t own = ordered.surface.points.size();
   result.points = with_box(ordered);
@@ -135,7 +148,7 @@ inline BoxedSurface boxed(const OrderedSurface& ordered, const TriangleSurface& 
       if (v >= own) v += static_cast<Index>(kBoxCorners);
     }
   }
-  boxed_detail::prepare_recovery(result, threads);
+  boxed_detail::prepare_recovery(result, threads, progress, nullptr);
   return result;
 }
 

@@ -115,7 +115,7 @@ inline InteriorTetrahedra choose_interior(const RecoveredMesh& recovered,
   using namespace choice_detail;
   const TetrahedralMesh& mesh = recovered.mesh;
   Evidence evidence{recovered, ordered, input, expected, {}, false, threads};
-  parallel_both(
+  parallel_beside(
       threads, [&] { evidence.winding = flood_winding_numbers(mesh, recovered.surface); },
       [&] { evidence.embedded = is_triangulated_box(mesh, kBoxFaces); });
   std::vector<char> inside = inside_marks(evidence);

@@ -288,7 +288,7 @@ inline MedialComplex build_medial_complex(const InteriorTetrahedra& interior,
   complex.position.resize(count);
   complex.radius.resize(count);
   complex.displaced.assign(count, 0);
-  parallel_both(
+  parallel_beside(
       threads, [&] { detail::place_at_circumcentres(interior, complex); },
       [&] { detail::connect_cells(interior, complex); });
   return complex;

@@ -43,19 +43,22 @@ inline constexpr std::size_t kFewCrossings = 32;
 // Ways to recover one surface, tried in turn; the best of the results seen.
 class Attempts {
  public:
-  Attempts(const TriangleSurface& surface, const RecoveryOptions& options, Progress progress)
+  Attempts(const TriangleSurface& surface, const RecoveryOptions& options, DelaunayAhead* ahead,
+           const Progress& progress)
       : surface_(surface),
         options_(options),
-        progress_(std::move(progress)),
+        ahead_(ahead),
+        delaunay_progress_(progress.slice(0.0, 0.2)),
+        progress_(progress.slice(0.2, 0.9)),
         threads_(thread_count(options.threads)) {
-    parallel_both(
+    parallel_beside(
         threads_, [&] { ordered_ = in_spatial_order(surface_); },
         [&] { expected_ = expected_betti_numbers(surface_); });
   }
 
   void run() {
     if (options_.known_crossings > kFewCrossings && cut_along_crossings()) return;
-    const BoxedSurface plain = boxed(ordered_, threads_);
+    const BoxedSurface plain = boxed(ordered_, threads_, delaunay_progress_, ahead_);
     if (options_.known_crossings == 0) {
       const RecoveredMesh exact = recover_exactly(plain, !options_.recover_input_surface,
                                                   bounds_for(plain), progress_, threads_);
@@ -97,7 +100,7 @@ class Attempts {
   bool cut_along_crossings() {
     const std::optional<TriangleSurface> refined = autorefined(ordered_.surface);
     if (!refined) return false;
-    const BoxedSurface soup = boxed(ordered_, *refined, threads_);
+    const BoxedSurface soup = boxed(ordered_, *refined, threads_, delaunay_progress_);
     for (const AttemptOptions& way : kSoupAttempts) {
       if (attempt(soup, way) || verdict() != TopologyVerdict::kFailed) return true;
     }
@@ -106,6 +109,8 @@ class Attempts {
 
   const TriangleSurface& surface_;
   const RecoveryOptions& options_;
+  DelaunayAhead* ahead_;
+  Progress delaunay_progress_;
   Progress progress_;
   unsigned threads_;
   BettiNumbers expected_;
@@ -122,13 +127,15 @@ class Attempts {
 /// crosses itself. Then it is cut along the crossings if need be, and the result has the topology
 /// of where the winding number is positive, or better, of the solid immersed. Requires `surface`
 /// closed, oriented outward, edge- and vertex-manifold, finite, without duplicate points; several
-/// disjoint shells may lie side by side. Vertices keep their numbers. Throws `InputError` on
+/// disjoint shells may lie side by side. Vertices keep their numbers. `ahead`: begun with what
+/// `boxed_vertices` gives for this surface, it is hoped, or nullptr. Throws `InputError` on
 /// duplicate points and `Cancelled`. About 8 us a vertex.
 inline InteriorTetrahedra recover_interior(const TriangleSurface& surface,
                                            const RecoveryOptions& options,
-                                           const Progress& progress = {}) {
+                                           const Progress& progress = {},
+                                           DelaunayAhead* ahead = nullptr) {
   progress.report(0.0, "topology");
-  recovery_detail::Attempts attempts(surface, options, progress.slice(0.2, 0.9));
+  recovery_detail::Attempts attempts(surface, options, ahead, progress);
   attempts.run();
   progress.report(1.0, "topology");
   return attempts.take_best();

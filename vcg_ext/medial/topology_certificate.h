@@ -153,7 +153,7 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
     certificate.boundary_faces_extra = certificate_detail::count_difference(found, wanted);
     manifold = certificate_detail::is_manifold(found, interior.points.size());
   };
-  parallel_both(
+  parallel_beside(
       threads, [&] { glued = certificate_detail::asymmetries(interior) == 0; }, compare_surfaces);
   if (glued) {
     const GluedTopology found = glued_topology(interior.tetrahedra, interior.neighbours, threads);

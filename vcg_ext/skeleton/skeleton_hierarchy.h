@@ -103,7 +103,7 @@ inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& inte
   const unsigned threads = thread_count(options.threads);
   ErosionOrder order;
   std::vector<double> score;
-  parallel_both(
+  parallel_beside(
       threads, [&] { order = order_cells(complex, field.mgf, surface.points, 1); },
       [&] { score = divergence_scores(complex, field, surface, 1); });
   const std::vector<Index> marks =
