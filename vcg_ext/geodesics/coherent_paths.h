@@ -221,11 +221,9 @@ class CoherentPaths {
         for (const Index pair : active_) changed_in_[pair] = round_;
         const std::vector<Index> asked = neighbours_of_active();
         candidates_.assign(asked.size(), {});
-        constexpr std::size_t kWorthThreads = 512;  // about a millisecond; a thread starts in 0.1
-        parallel_for(asked.size(), asked.size() < kWorthThreads ? 1 : threads_, 16,
-                     [&](std::size_t i, unsigned worker) {
-                       try_neighbours(asked[i], workspace(worker), candidates_[i]);
-                     });
+        parallel_for(asked.size(), threads_, 16, [&](std::size_t i, unsigned worker) {
+          try_neighbours(asked[i], workspace(worker), candidates_[i]);
+        });
         accept(asked, bucket);
       }
     }
@@ -244,7 +242,6 @@ class CoherentPaths {
         }
       }
     }
-    std::sort(asked.begin(), asked.end());
     return asked;
   }
 

@@ -87,7 +87,10 @@ class SurfaceFlipper {
     for (int sweep = 0; sweep < kSweeps && !queue_.empty(); ++sweep) {
       for (const Candidate& candidate : candidates(wanted)) {
         EdgePair e{};
-        if (!pair_at(candidate.f, candidate.a, candidate.b, e) || !wanted(e)) continue;
+        if (!pair_at(candidate.f, candidate.a, candidate.b, e)) continue;
+        // As wanted as before, unless a flip has been near it.
+        const bool may_differ = queued_[e.f] != 0 || queued_[e.g] != 0;
+        if ((may_differ && !wanted(e)) || surface_.has_edge(e.c, e.d)) continue;
         if (!guard_.allows(e.f, e.g, e.a, e.b, e.c, e.d)) continue;
         flip(e);
         changed(e.f);
@@ -115,7 +118,8 @@ class SurfaceFlipper {
       const Triangle face = surface_.face(f);
       for (unsigned i = 0; i < 3; ++i) {
         EdgePair e{};
-        if (!pair_at(f, face[i], face[(i + 1) % 3], e) || !wanted(e)) continue;
+        if (!pair_at(f, face[i], face[(i + 1) % 3], e)) continue;
+        if (queued_[e.g] != 0 || !wanted(e)) continue;  // or the turn of the other face will come
         result.push_back({(points_[e.b] - points_[e.a]).squaredNorm(), f, e.a, e.b});
       }
     }
