@@ -35,7 +35,7 @@ class Lap {
 };
 
 /// Paths for all pairs with the effort given.
-mgf::PairPaths find_paths(const mgf::HalfedgeMesh& mesh, const mgf::SpatialNumbering& question,
+mgf::PairPaths find_paths(const mgf::HalfedgeMesh& mesh, const mgf::PairNumbering& question,
                           mgf::ShorteningEffort effort) {
   mgf::PairPaths paths(question.pairs().size());
   mgf::CoherentPaths(mesh, question.pairs(), question.links(), effort, 1, paths).run({});
@@ -43,7 +43,7 @@ mgf::PairPaths find_paths(const mgf::HalfedgeMesh& mesh, const mgf::SpatialNumbe
 }
 
 /// Nanoseconds a directed edge of straightening all corridors once.
-double time_funnel(const mgf::HalfedgeMesh& mesh, const mgf::SpatialNumbering& question,
+double time_funnel(const mgf::HalfedgeMesh& mesh, const mgf::PairNumbering& question,
                    const mgf::PairPaths& paths) {
   mgf::Funnel funnel(mesh);
   std::size_t crossed = 0;
@@ -59,7 +59,7 @@ double time_funnel(const mgf::HalfedgeMesh& mesh, const mgf::SpatialNumbering& q
 }
 
 /// Searches from every 16th pair's first end to its second; nanoseconds a window.
-double time_windows(const mgf::HalfedgeMesh& mesh, const mgf::SpatialNumbering& question,
+double time_windows(const mgf::HalfedgeMesh& mesh, const mgf::PairNumbering& question,
                     const mgf::PairPaths& paths) {
   constexpr Index kStride = 16;
   mgf::WindowPropagation search(mesh);
@@ -84,18 +84,19 @@ Json measure(const std::string& file) {
   line["pairs"] = table.pairs().size();
   Json& seconds = line["cpu_seconds"];
   Lap lap;
-  const mgf::SpatialNumbering question(surface, table.pairs(),
-                                       mgf::detail::links_of_complex(axis.complex, table));
+  const mgf::SpatialNumbering numbering(surface);
+  const mgf::PairNumbering question(numbering, table.pairs(),
+                                    mgf::detail::links_of_complex(axis.complex, table));
   seconds["numbering"] = lap.next();
-  const mgf::HalfedgeMesh mesh = mgf::make_halfedge_mesh(question.surface());
+  const mgf::HalfedgeMesh mesh = mgf::make_halfedge_mesh(numbering.surface());
   seconds["halfedge_mesh"] = lap.next();
-  const mgf::CoarseSurface coarse = mgf::without_flat_vertices(question.surface());
+  const mgf::CoarseSurface coarse = mgf::without_flat_vertices(numbering.surface());
   seconds["flat_vertices"] = lap.next();
   mgf::PairPaths rough = find_paths(mesh, question, mgf::ShorteningEffort::kRough);
   seconds["rough_paths"] = lap.next();
   const mgf::PairPaths full = find_paths(mesh, question, mgf::ShorteningEffort::kFull);
   seconds["full_paths"] = lap.next();
-  mgf::PathCertificate(mesh, mgf::make_search_surface(question.surface(), mesh), question.pairs(),
+  mgf::PathCertificate(mesh, mgf::make_search_surface(numbering.surface(), mesh), question.pairs(),
                        1, {}, rough)
       .run(1, {});
   seconds["certificate"] = lap.next();

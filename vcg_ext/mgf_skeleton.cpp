@@ -136,10 +136,11 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
       axis.interior.points.end());
   axis.surface = added.empty() ? sampled : insert_points(sampled, added);
   axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
-  const SurfaceTree tree(axis.working.surface);
-  axis.complex = build_medial_complex(axis.interior, threads);
-  place_voronoi_vertices(axis.interior, axis.complex, threads);
-  discard_vertices_outside(tree, axis.surface.surface, axis.interior, threads, axis.complex);
+  axis.complex = build_medial_complex(axis.interior, threads, [&](MedialComplex& complex) {
+    const SurfaceTree tree(axis.working.surface);
+    place_voronoi_vertices(axis.interior, complex, threads);
+    discard_vertices_outside(tree, axis.surface.surface, axis.interior, threads, complex);
+  });
   warn_of_topology(axis.interior.certificate, axis.warnings);
   clock.finish("medial_complex", axis.times);
   progress.report(1.0, "Medial complex");

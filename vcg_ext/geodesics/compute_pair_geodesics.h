@@ -21,12 +21,23 @@
 
 namespace mgf {
 
+/// A surface made ready for geodesics.
+struct GeodesicSurface {
+  /// As `make_halfedge_mesh`.
+  explicit GeodesicSurface(const TriangleSurface& surface)
+      : numbering(surface), mesh(make_halfedge_mesh(numbering.surface())) {}
+
+  SpatialNumbering numbering;
+  HalfedgeMesh mesh;  ///< of the surface in that numbering
+};
+
 namespace detail {
 
 /// The answer, in the caller's numbers, from the paths: tangents from each path's first and last
 /// piece.
-inline PairGeodesics finish_geodesics(const SpatialNumbering& question, const HalfedgeMesh& mesh,
+inline PairGeodesics finish_geodesics(const GeodesicSurface& surface, const PairNumbering& question,
                                       unsigned threads, PairPaths paths) {
+  const HalfedgeMesh& mesh = surface.mesh;
   const std::size_t count = paths.length.size();
   PairGeodesics result;
   result.length.resize(count);
@@ -49,7 +60,7 @@ inline PairGeodesics finish_geodesics(const SpatialNumbering& question, const Ha
       std::swap(result.tangent_a[i], result.tangent_b[i]);
       corridor = reversed_corridor(mesh, corridor);
     }
-    for (Index& h : corridor) h = question.original_halfedge(h);
+    for (Index& h : corridor) h = surface.numbering.original_halfedge(h);
   });
   for (Index i = 0; i < count; ++i) {
     const std::vector<Index>& corridor = paths.corridor[question.pair_number(i)];
@@ -69,13 +80,13 @@ inline PairGeodesics finish_geodesics(const SpatialNumbering& question, const Ha
 /// for a side that is no pair), along which paths are carried on; only speed depends on them.
 /// Throws `InputError` if the surface isn't as required, `Cancelled` if the user stops.
 /// The result does not depend on the number of threads.
-inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
+inline PairGeodesics compute_pair_geodesics(const GeodesicSurface& surface,
                                             const std::vector<VertexPair>& pairs,
                                             const std::vector<std::array<Index, 3>>& links,
                                             const GeodesicOptions& options,
                                             const Progress& progress = {}) {
-  const SpatialNumbering question(surface, pairs, links);
-  const HalfedgeMesh mesh = make_halfedge_mesh(question.surface());
+  const PairNumbering question(surface.numbering, pairs, links);
+  const HalfedgeMesh& mesh = surface.mesh;
   PairPaths paths(pairs.size());
   const bool is_proving = options.wanted != Certification::kUnproven;
   // What is to be proven needs but a bound before: a quarter of an edge too long costs nothing.
@@ -86,7 +97,7 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
   parallel_beside(
       options.threads, [&] { carrier.run(progress.slice(0.0, 0.3)); },
       [&] {
-        if (is_proving) search = make_search_surface(question.surface(), mesh);
+        if (is_proving) search = make_search_surface(surface.numbering.surface(), mesh);
       });
   if (is_proving) {
     CertificateOptions certificate_options;
@@ -102,7 +113,15 @@ inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
     certificate.run(1, progress.slice(0.45, 0.95));
   }
   progress.report(0.95, "Measuring geodesics");
-  return detail::finish_geodesics(question, mesh, options.threads, std::move(paths));
+  return detail::finish_geodesics(surface, question, options.threads, std::move(paths));
+}
+
+inline PairGeodesics compute_pair_geodesics(const TriangleSurface& surface,
+                                            const std::vector<VertexPair>& pairs,
+                                            const std::vector<std::array<Index, 3>>& links,
+                                            const GeodesicOptions& options,
+                                            const Progress& progress = {}) {
+  return compute_pair_geodesics(GeodesicSurface(surface), pairs, links, options, progress);
 }
 
 }  // namespace mgf

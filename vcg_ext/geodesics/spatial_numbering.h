@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The question of compute_pair_geodesics renumbered so that what is near in space is near in
-// memory, and the way back.
+// memory, and the way back. So it, and its answer, does not depend on how the caller numbered the
+// vertices.
 #pragma once
 
 #include <algorithm>
@@ -17,29 +18,18 @@
 
 namespace mgf {
 
-/// A question with vertices and triangles in spatial order and pairs sorted by their ends. It, and
-/// so its answer, does not depend on how the caller numbered the vertices.
+/// A surface with vertices and triangles in spatial order.
 class SpatialNumbering {
  public:
-  SpatialNumbering(const TriangleSurface& surface, const std::vector<VertexPair>& pairs,
-                   const std::vector<std::array<Index, 3>>& links) {
+  explicit SpatialNumbering(const TriangleSurface& surface) {
     number_vertices(surface);
     number_triangles(surface);
-    number_pairs(pairs);
-    links_ = links;
-    for (std::array<Index, 3>& link : links_) {
-      for (Index& pair : link) pair = pair == kNone ? kNone : pair_number_[pair];
-    }
   }
 
   const TriangleSurface& surface() const { return surface_; }
-  const std::vector<VertexPair>& pairs() const { return pairs_; }
-  const std::vector<std::array<Index, 3>>& links() const { return links_; }
 
-  /// The number here of a pair of the caller's.
-  Index pair_number(Index pair) const { return pair_number_[pair]; }
-  /// Whether a pair of the caller's runs the other way here.
-  bool is_turned(Index pair) const { return is_turned_[pair] != 0; }
+  /// The number here of a vertex of the caller's.
+  Index vertex_number(Index vertex) const { return vertex_number_[vertex]; }
   /// The caller's number of a directed edge of here.
   Index original_halfedge(Index h) const { return 3 * original_triangle_[triangle_of(h)] + h % 3; }
 
@@ -69,7 +59,33 @@ class SpatialNumbering {
     }
   }
 
-  void number_pairs(const std::vector<VertexPair>& pairs) {
+  TriangleSurface surface_;
+  std::vector<Index> vertex_number_;      ///< one per vertex of the caller's
+  std::vector<Index> original_triangle_;  ///< one per triangle of here
+};
+
+/// Pairs of a surface's vertices, sorted by the ends' new numbers, and the links between them.
+class PairNumbering {
+ public:
+  PairNumbering(const SpatialNumbering& vertices, const std::vector<VertexPair>& pairs,
+                const std::vector<std::array<Index, 3>>& links)
+      : links_(links) {
+    number_pairs(vertices, pairs);
+    for (std::array<Index, 3>& link : links_) {
+      for (Index& pair : link) pair = pair == kNone ? kNone : pair_number_[pair];
+    }
+  }
+
+  const std::vector<VertexPair>& pairs() const { return pairs_; }
+  const std::vector<std::array<Index, 3>>& links() const { return links_; }
+
+  /// The number here of a pair of the caller's.
+  Index pair_number(Index pair) const { return pair_number_[pair]; }
+  /// Whether a pair of the caller's runs the other way here.
+  bool is_turned(Index pair) const { return is_turned_[pair] != 0; }
+
+ private:
+  void number_pairs(const SpatialNumbering& vertices, const std::vector<VertexPair>& pairs) {
     struct Entry {
       VertexPair ends;
       Index original;
@@ -79,8 +95,8 @@ class SpatialNumbering {
     };
     std::vector<Entry> entries;
     for (Index i = 0; i < pairs.size(); ++i) {
-      const Index a = vertex_number_[pairs[i].a];
-      const Index b = vertex_number_[pairs[i].b];
+      const Index a = vertices.vertex_number(pairs[i].a);
+      const Index b = vertices.vertex_number(pairs[i].b);
       entries.push_back({{std::min(a, b), std::max(a, b)}, i});
       is_turned_.push_back(a < b ? 0 : 1);
     }
@@ -92,13 +108,10 @@ class SpatialNumbering {
     }
   }
 
-  TriangleSurface surface_;
   std::vector<VertexPair> pairs_;
   std::vector<std::array<Index, 3>> links_;
-  std::vector<Index> vertex_number_;      ///< one per vertex of the caller's
-  std::vector<Index> original_triangle_;  ///< one per triangle of here
-  std::vector<Index> pair_number_;        ///< one per pair of the caller's
-  std::vector<char> is_turned_;           ///< the same
+  std::vector<Index> pair_number_;  ///< one per pair of the caller's
+  std::vector<char> is_turned_;     ///< the same
 };
 
 }  // namespace mgf

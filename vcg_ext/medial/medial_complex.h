@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -279,17 +280,22 @@ inline void connect_cells(const InteriorTetrahedra& interior, MedialComplex& com
 }  // namespace detail
 
 /// The dual complex of `interior`, Voronoi vertices at their circumcentres wherever these lie (not
-/// finite for flat tetrahedra): `place_voronoi_vertices` mends that. Linear time. The same for any
-/// number of `threads`.
-inline MedialComplex build_medial_complex(const InteriorTetrahedra& interior,
-                                          unsigned threads = 1) {
+/// finite for flat tetrahedra): `place_voronoi_vertices` mends that. `improve_places`, if given, is
+/// called while cells are still being connected. Linear time. The same for any number of `threads`.
+inline MedialComplex build_medial_complex(
+    const InteriorTetrahedra& interior, unsigned threads = 1,
+    const std::function<void(MedialComplex&)>& improve_places = {}) {
   MedialComplex complex;
   const std::size_t count = interior.tetrahedra.size();
   complex.position.resize(count);
   complex.radius.resize(count);
   complex.displaced.assign(count, 0);
   parallel_beside(
-      threads, [&] { detail::place_at_circumcentres(interior, complex); },
+      threads,
+      [&] {
+        detail::place_at_circumcentres(interior, complex);
+        if (improve_places) improve_places(complex);
+      },
       [&] { detail::connect_cells(interior, complex); });
   return complex;
 }

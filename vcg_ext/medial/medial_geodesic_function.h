@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
@@ -155,11 +156,17 @@ inline MedialGeodesicField evaluate_medial_geodesic_function(const TriangleSurfa
                                                              const GeodesicOptions& options,
                                                              const Progress& progress) {
   MedialGeodesicField field;
-  field.table = detail::pairs_of_complex(complex, surface);
   const unsigned threads = thread_count(options.threads);
-  const std::vector<std::array<Index, 3>> links =
-      detail::links_of_complex(complex, field.table, threads);
-  field.geodesics = compute_pair_geodesics(surface, field.table.pairs(), links, options, progress);
+  std::vector<std::array<Index, 3>> links;
+  std::optional<GeodesicSurface> ready;
+  parallel_beside(
+      threads,
+      [&] {
+        field.table = detail::pairs_of_complex(complex, surface);
+        links = detail::links_of_complex(complex, field.table, threads);
+      },
+      [&] { ready.emplace(surface); });
+  field.geodesics = compute_pair_geodesics(*ready, field.table.pairs(), links, options, progress);
 
   constexpr std::size_t kChunk = 4096;
   field.mgf.resize(complex.facet_count());
