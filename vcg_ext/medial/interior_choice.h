@@ -116,7 +116,7 @@ inline InteriorTetrahedra choose_interior(const RecoveredMesh& recovered,
   const TetrahedralMesh& mesh = recovered.mesh;
   Evidence evidence{recovered, ordered, input, expected, {}, false, threads};
   parallel_beside(
-      threads, [&] { evidence.winding = flood_winding_numbers(mesh, recovered.surface); },
+      threads, [&] { evidence.winding = flood_winding_numbers(mesh, recovered.surface, threads); },
       [&] { evidence.embedded = is_triangulated_box(mesh, kBoxFaces); });
   std::vector<char> inside = inside_marks(evidence);
   OverlapColours none;

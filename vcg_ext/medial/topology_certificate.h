@@ -143,6 +143,13 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
   TopologyCertificate& certificate = interior.certificate;
   bool glued = false;
   bool manifold = false;
+  const auto count_cells = [&] {
+    glued = certificate_detail::asymmetries(interior) == 0;
+    if (!glued) return;
+    const GluedTopology found = glued_topology(interior.tetrahedra, interior.neighbours, threads);
+    certificate.betti = found.betti;
+    certificate.interior_vertices = found.inner_vertices;
+  };
   const auto compare_surfaces = [&] {
     const Index flat = certificate_detail::not_positive(interior);
     (certificate.exact_points == 0 ? certificate.tetrahedra_not_positive
@@ -153,13 +160,7 @@ inline void certify(InteriorTetrahedra& interior, const std::vector<Triangle>& b
     certificate.boundary_faces_extra = certificate_detail::count_difference(found, wanted);
     manifold = certificate_detail::is_manifold(found, interior.points.size());
   };
-  parallel_beside(
-      threads, [&] { glued = certificate_detail::asymmetries(interior) == 0; }, compare_surfaces);
-  if (glued) {
-    const GluedTopology found = glued_topology(interior.tetrahedra, interior.neighbours, threads);
-    certificate.betti = found.betti;
-    certificate.interior_vertices = found.inner_vertices;
-  }
+  parallel_beside(threads, count_cells, compare_surfaces);
   const bool counted = glued && certificate.betti == certificate.expected;
   const bool proven =
       counted && embedded && certificate.boundary_faces_missing == 0 &&

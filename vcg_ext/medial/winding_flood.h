@@ -32,12 +32,12 @@ inline bool same_orientation(const Triangle& f, const Triangle& g) {
 }
 
 inline void find_walls(const TetrahedralMesh& mesh, const std::vector<Triangle>& faces,
-                       WindingNumbers& result) {
+                       unsigned threads, WindingNumbers& result) {
   std::vector<char> found(faces.size(), 0);
   const auto add = [](std::int8_t& turns, int sign) {
     turns = static_cast<std::int8_t>(turns + sign);
   };
-  visit_common_faces(mesh, faces, 1, [&](Index f, Index t, unsigned i) {
+  visit_common_faces(mesh, faces, threads, [&](Index f, Index t, unsigned i) {
     found[f] = 1;
     const int sign = same_orientation(faces[f], face_of(mesh.corners(t), i)) ? 1 : -1;
     add(result.walls[t][i], sign);
@@ -55,14 +55,16 @@ inline void find_walls(const TetrahedralMesh& mesh, const std::vector<Triangle>&
 
 }  // namespace winding_detail
 
-/// Floods the mesh from its hull, which has winding number 0. Linear time.
+/// Floods the mesh from its hull, which has winding number 0. Linear time. The same for any number
+/// of `threads`.
 inline WindingNumbers flood_winding_numbers(const TetrahedralMesh& mesh,
-                                            const ConstrainedSurface& surface) {
+                                            const ConstrainedSurface& surface,
+                                            unsigned threads = 1) {
   constexpr int kUnknown = 1 << 30;
   WindingNumbers result;
   result.winding.assign(mesh.slot_count(), kUnknown);
   result.walls.assign(mesh.slot_count(), {});
-  winding_detail::find_walls(mesh, surface.faces(), result);
+  winding_detail::find_walls(mesh, surface.faces(), threads, result);
   std::vector<Index> queue;
   for (Index t = 0; t < mesh.slot_count(); ++t) {
     if (!mesh.alive(t)) continue;
