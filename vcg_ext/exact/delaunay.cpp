@@ -65,7 +65,7 @@ std::vector<Index> insertion_order(std::size_t count) {
 }
 
 Delaunay triangulate(const std::vector<Vec3>& points, const Progress& progress) {
-  constexpr std::size_t kReportEvery = 1024;
+  constexpr std::size_t kReportEvery = 256;
   Delaunay delaunay;
   Delaunay::Vertex_handle last;
   for (const Index i : insertion_order(points.size())) {

@@ -254,15 +254,19 @@ class Untangler {
     }
     std::vector<Index> result;
     for (const Index f : faces) tree_.extend(f, face_box(surface_, f));
-    for (const Index f : faces) collect_crossings(f, tangle, result);
+    for (const Index f : faces) collect_crossings(f, tangle, faces, result);
     return each_once(std::move(result));
   }
 
-  void collect_crossings(Index f, Index tangle, std::vector<Index>& crossing) const {
+  // Adds f and what it crosses, but for those of `asked` before it, which have been looked at.
+  void collect_crossings(Index f, Index tangle, const std::vector<Index>& asked,
+                         std::vector<Index>& crossing) const {
     const Box box = face_box(surface_, f);
     tree_.visit([&](const Box& other) { return other.meets(box); },
                 [&](Index g) {
-                  if (g == f || !box.meets(face_box(surface_, g)) || !intersect(f, g) ||
+                  if (g == f || !box.meets(face_box(surface_, g)) ||
+                      (g < f && std::binary_search(asked.begin(), asked.end(), g)) ||
+                      !intersect(f, g) ||
                       crosses_elsewhere({std::min(f, g), std::max(f, g)}, tangle)) {
                     return;
                   }
