@@ -5,8 +5,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
+#include "vcg_ext/core/parallel.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/medial/constrained_surface.h"
 #include "vcg_ext/medial/face_lookup.h"
@@ -29,7 +31,9 @@ class SurfaceFlipper {
   /// a set. Returns the number of flips.
   Index flip_coplanar() {
     for (Index f = 0; f < surface_.faces().size(); ++f) enqueue(f);
-    return run([&](const EdgePair& e) { return is_flat(e) && is_not_delaunay(e); }, [](Index) {});
+    return run(
+        1, [&](const EdgePair& e, unsigned) { return is_flat(e) && is_not_delaunay(e); },
+        [](const EdgePair&) {});
   }
 
   /// Flips edges so that more of the surface's faces and edges are in `delaunay`, a mesh of the
@@ -42,10 +46,14 @@ class SurfaceFlipper {
       is_present_[f] = 0;
       enqueue(f);
     }
-    // The quickest question first.
-    return run(
-        [&](const EdgePair& e) { return lacks_face(e) && is_gentle(e) && gains(delaunay, e); },
-        [&](Index f) { is_present_[f] = has_face(delaunay, surface_.face(f)); });
+    std::vector<MeshWalk> walks(threads);
+    const auto is_wanted = [&](EdgePair& e, unsigned worker) {  // the quickest question first
+      return lacks_face(e) && is_gentle(e) && gains(delaunay, walks[worker], e);
+    };
+    return run(threads, is_wanted, [&](const EdgePair& e) {
+      is_present_[e.f] = e.has_cad;
+      is_present_[e.g] = e.has_dbc;
+    });
   }
 
   /// After `flip_towards`, the faces that the mesh still doesn't have, ascending.
@@ -65,6 +73,12 @@ class SurfaceFlipper {
   // The two faces at an edge ab: f = abc, g = bad.
   struct EdgePair {
     Index f, g, a, b, c, d;
+    char has_cad = 0;  // whether the mesh has the faces that a flip would make; by `gains`
+    char has_dbc = 0;
+
+    bool is_still(const EdgePair& o) const {
+      return f == o.f && g == o.g && a == o.a && b == o.b && c == o.c && d == o.d;
+    }
   };
 
   Vec3 normal(Index a, Index b, Index c) const {
@@ -80,21 +94,23 @@ class SurfaceFlipper {
 
   // Offers the edges of queued faces to `wanted` and flips those it accepts, sweep by sweep, the
   // longest first: flips compete, and lengths don't change when the shape is turned. Calls
-  // `changed` for each face that a flip has made.
-  template <class Wanted, class Changed>
-  Index run(const Wanted& wanted, const Changed& changed) {
+  // `flipped` for each. `wanted` may be asked by `threads` workers at once.
+  template <class Wanted, class Flipped>
+  Index run(unsigned threads, const Wanted& wanted, const Flipped& flipped) {
     Index flips = 0;
     for (int sweep = 0; sweep < kSweeps && !queue_.empty(); ++sweep) {
-      for (const Candidate& candidate : candidates(wanted)) {
+      for (const Candidate& candidate : candidates(threads, wanted)) {
         EdgePair e{};
-        if (!pair_at(candidate.f, candidate.a, candidate.b, e)) continue;
-        // As wanted as before, unless a flip has been near it.
-        const bool may_differ = queued_[e.f] != 0 || queued_[e.g] != 0;
-        if ((may_differ && !wanted(e)) || surface_.has_edge(e.c, e.d)) continue;
+        if (!pair_at(candidate.pair.f, candidate.pair.a, candidate.pair.b, e)) continue;
+        if (e.is_still(candidate.pair)) {
+          e = candidate.pair;
+        } else if (!wanted(e, 0)) {
+          continue;
+        }
+        if (surface_.has_edge(e.c, e.d)) continue;
         if (!guard_.allows(e.f, e.g, e.a, e.b, e.c, e.d)) continue;
         flip(e);
-        changed(e.f);
-        changed(e.g);
+        flipped(e);
         ++flips;
       }
     }
@@ -103,29 +119,35 @@ class SurfaceFlipper {
     return flips;
   }
 
-  // An edge ab of face f to be flipped.
+  // To be flipped.
   struct Candidate {
-    double squared_length;
-    Index f, a, b;
+    double squared_length;  // of the edge
+    EdgePair pair;
   };
 
   // The wanted edges of the queued faces in the order of flipping; empties the queue.
   template <class Wanted>
-  std::vector<Candidate> candidates(const Wanted& wanted) {
-    std::vector<Candidate> result;
-    for (const Index f : queue_) {
-      queued_[f] = 0;
-      const Triangle face = surface_.face(f);
-      for (unsigned i = 0; i < 3; ++i) {
+  std::vector<Candidate> candidates(unsigned threads, const Wanted& wanted) {
+    constexpr std::size_t kChunk = 64;
+    std::vector<std::vector<Candidate>> found(threads);  // by each worker
+    parallel_for(queue_.size(), threads, kChunk, [&](std::size_t i, unsigned worker) {
+      const Index f = queue_[i];
+      const Triangle& face = surface_.face(f);
+      for (unsigned side = 0; side < 3; ++side) {
         EdgePair e{};
-        if (!pair_at(f, face[i], face[(i + 1) % 3], e)) continue;
-        if (queued_[e.g] != 0 || !wanted(e)) continue;  // or the turn of the other face will come
-        result.push_back({(points_[e.b] - points_[e.a]).squaredNorm(), f, e.a, e.b});
+        if (!pair_at(f, face[side], face[(side + 1) % 3], e)) continue;
+        const bool is_others = queued_[e.g] != 0 && e.g < f;
+        if (is_others || !wanted(e, worker)) continue;
+        found[worker].push_back({(points_[e.b] - points_[e.a]).squaredNorm(), e});
       }
-    }
+    });
+    for (const Index f : queue_) queued_[f] = 0;
     queue_.clear();
-    std::stable_sort(result.begin(), result.end(), [](const Candidate& x, const Candidate& y) {
-      return x.squared_length > y.squared_length;
+    std::vector<Candidate> result;
+    for (const auto& some : found) result.insert(result.end(), some.begin(), some.end());
+    std::sort(result.begin(), result.end(), [](const Candidate& x, const Candidate& y) {
+      return std::tuple(-x.squared_length, x.pair.f, x.pair.a) <
+             std::tuple(-y.squared_length, y.pair.f, y.pair.a);
     });
     return result;
   }
@@ -182,29 +204,25 @@ class SurfaceFlipper {
     return u.dot(v) / u.cross(v).norm();
   }
 
-  static char has_face(const TetrahedralMesh& mesh, const Triangle& face) {
-    return mesh.find_face(face[0], face[1], face[2]) != kNone ? 1 : 0;
-  }
-
   bool lacks_face(const EdgePair& e) const {
     return is_present_[e.f] == 0 || is_present_[e.g] == 0;
   }
 
-  bool gains(const TetrahedralMesh& mesh, const EdgePair& e) const {
+  bool gains(const TetrahedralMesh& mesh, MeshWalk& walk, EdgePair& e) const {
     const int before = is_present_[e.f] + is_present_[e.g];
     if (surface_.has_edge(e.c, e.d)) return false;
     bool has_edge = false;
-    bool has_cda = false;
-    bool has_cdb = false;
-    mesh.visit_star(e.c, [&](const Tetrahedron& t) {
+    e.has_cad = 0;
+    e.has_dbc = 0;
+    mesh.visit_star(e.c, walk, [&](const Tetrahedron& t) {
       if (corner_index(t, e.d) == 4) return;
       has_edge = true;
-      has_cda = has_cda || corner_index(t, e.a) < 4;
-      has_cdb = has_cdb || corner_index(t, e.b) < 4;
+      if (corner_index(t, e.a) < 4) e.has_cad = 1;
+      if (corner_index(t, e.b) < 4) e.has_dbc = 1;
     });
     if (!has_edge) return false;
-    const int after = (has_cda ? 1 : 0) + (has_cdb ? 1 : 0);
-    return after > before || (after == 0 && before == 0 && mesh.find_edge(e.a, e.b) == kNone);
+    const int after = e.has_cad + e.has_dbc;
+    return after > before || (after == 0 && before == 0 && mesh.find_edge(e.a, e.b, walk) == kNone);
   }
 
   // Old, new and original normals all within the guard angle of each other.

@@ -53,6 +53,32 @@ struct EdgeRing {
   std::vector<Index> link;
 };
 
+/// Memory of walks through a mesh; one per thread.
+class MeshWalk {
+ public:
+  /// Forgets where it has been, in a mesh of that many slots.
+  void begin(std::size_t slots) {
+    visits_.resize(std::max(visits_.size(), slots), 0);
+    ++epoch_;
+    found_.clear();
+  }
+  /// Whether it has been there. `visit` says that it is now.
+  bool has_visited(Index t) const { return visits_[t] == epoch_; }
+  void visit(Index t) { visits_[t] = epoch_; }
+  /// Visits t, which is to be walked on from.
+  void find(Index t) {
+    visit(t);
+    found_.push_back(t);
+  }
+  /// All that is to be walked on from, so far.
+  const std::vector<Index>& found() const { return found_; }
+
+ private:
+  std::vector<std::uint32_t> visits_;  // one per slot: epoch of the last
+  std::uint32_t epoch_ = 0;
+  std::vector<Index> found_;
+};
+
 /// Tetrahedra with adjacency. All changes go through `replace`, which exchanges the tetrahedra of a
 /// ball for others that fill the same ball; bistellar moves and point insertions are its special
 /// cases. Since the boundary of the ball stays, the mesh remains a triangulation of the same
@@ -64,7 +90,6 @@ class TetrahedralMesh {
       : points_(std::move(points)),
         corners_(std::move(corners)),
         neighbours_(std::move(neighbours)),
-        visit_(corners_.size(), 0),
         changed_(corners_.size(), 0),
         tetrahedron_at_(points_.size(), kNone) {
     for (Index t = 0; t < corners_.size(); ++t) {
@@ -120,8 +145,13 @@ class TetrahedralMesh {
   /// A tetrahedron at v whose corners satisfy `wanted`, or kNone.
   template <class Wanted>
   Index find_at(Index v, const Wanted& wanted) const {
+    return find_at(v, walk_, wanted);
+  }
+  /// The same for threads that each have a `walk` of their own.
+  template <class Wanted>
+  Index find_at(Index v, MeshWalk& walk, const Wanted& wanted) const {
     Index found = kNone;
-    walk_star(v, [&](Index t) {
+    walk_star(v, walk, [&](Index t) {
       if (wanted(corners_[t])) found = t;
       return found == kNone;
     });
@@ -130,25 +160,28 @@ class TetrahedralMesh {
 
   std::vector<Index> star(Index v) const {
     std::vector<Index> result;
-    walk_star(v, [&](Index t) {
+    walk_star(v, walk_, [&](Index t) {
       result.push_back(t);
       return true;
     });
     return result;
   }
 
-  /// Calls `visit` with the corners of each tetrahedron at v.
+  /// Calls `visit` with the corners of each tetrahedron at v; for threads that each have a `walk`
+  /// of their own.
   template <class Visit>
-  void visit_star(Index v, const Visit& visit) const {
-    walk_star(v, [&](Index t) {
+  void visit_star(Index v, MeshWalk& walk, const Visit& visit) const {
+    walk_star(v, walk, [&](Index t) {
       visit(corners_[t]);
       return true;
     });
   }
 
   /// A tetrahedron with the edge ab, or kNone.
-  Index find_edge(Index a, Index b) const {
-    return find_at(a, [&](const Tetrahedron& t) { return corner_index(t, b) < 4; });
+  Index find_edge(Index a, Index b) const { return find_edge(a, b, walk_); }
+  /// The same for threads that each have a `walk` of their own.
+  Index find_edge(Index a, Index b, MeshWalk& walk) const {
+    return find_at(a, walk, [&](const Tetrahedron& t) { return corner_index(t, b) < 4; });
   }
 
   /// A tetrahedron with the face abc, or kNone.
@@ -251,21 +284,18 @@ class TetrahedralMesh {
   }
 
   template <class Visit>
-  void walk_star(Index v, const Visit& visit) const {
+  void walk_star(Index v, MeshWalk& walk, const Visit& visit) const {
     const Index first = tetrahedron_at_[v];
     if (first == kNone) return;
-    ++epoch_;
-    queue_.assign(1, first);
-    visit_[first] = epoch_;
-    for (std::size_t next = 0; next < queue_.size(); ++next) {
-      const Index t = queue_[next];
+    walk.begin(slot_count());
+    walk.find(first);
+    for (std::size_t next = 0; next < walk.found().size(); ++next) {
+      const Index t = walk.found()[next];
       if (!visit(t)) return;
       const Tetrahedron& c = corners_[t];
       for (unsigned i = 0; i < 4; ++i) {
         const Index n = neighbours_[t][i];
-        if (c[i] == v || n == kNone || visit_[n] == epoch_) continue;
-        visit_[n] = epoch_;
-        queue_.push_back(n);
+        if (c[i] != v && n != kNone && !walk.has_visited(n)) walk.find(n);
       }
     }
   }
@@ -278,7 +308,6 @@ class TetrahedralMesh {
     }
     corners_.push_back({kNone, kNone, kNone, kNone});
     neighbours_.push_back({kNone, kNone, kNone, kNone});
-    visit_.push_back(0);
     changed_.push_back(0);
     return to_index(corners_.size() - 1);
   }
@@ -286,13 +315,13 @@ class TetrahedralMesh {
   // Takes the tetrahedra `old` out and puts `made` in their place, into the slots `numbers`.
   void exchange(const std::vector<Index>& old, const std::vector<Index>& numbers,
                 const std::vector<Tetrahedron>& made) {
-    ++epoch_;
-    for (const Index t : old) visit_[t] = epoch_;
+    walk_.begin(slot_count());
+    for (const Index t : old) walk_.visit(t);
     faces_.clear();
     for (const Index t : old) {
       for (unsigned i = 0; i < 4; ++i) {
         const Index n = neighbours_[t][i];
-        if (n != kNone && visit_[n] == epoch_) continue;
+        if (n != kNone && walk_.has_visited(n)) continue;
         faces_.push_back({sorted(face_of(corners_[t], i)), n, n == kNone ? 0 : back_index(n, t)});
       }
     }
@@ -328,13 +357,11 @@ class TetrahedralMesh {
   Index first_exact_ = kNone;           // all from here on are
   std::vector<Tetrahedron> corners_;
   std::vector<std::array<Index, 4>> neighbours_;
-  mutable std::vector<std::uint32_t> visit_;  // epoch of the last visit
   std::vector<char> changed_;
   std::vector<Index> tetrahedron_at_;  // one of each vertex
   std::vector<Index> free_;
-  std::vector<OpenFace> faces_;       // workspace of `replace`
-  mutable std::vector<Index> queue_;  // workspace of `walk_star`
-  mutable std::uint32_t epoch_ = 0;
+  std::vector<OpenFace> faces_;  // workspace of `replace`
+  mutable MeshWalk walk_;
   std::vector<Change> journal_;
   bool journal_open_ = false;
 };
