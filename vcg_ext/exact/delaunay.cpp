@@ -103,20 +103,20 @@ TetrahedronArrays as_stored(const Delaunay& delaunay) {
   return result;
 }
 
-// Renumbers tetrahedra by their ascending corners: what is near among the points is near among the
-// tetrahedra, and CGAL's way to them leaves no trace.
-TetrahedronArrays in_order_of_corners(const TetrahedronArrays& stored, std::size_t point_count,
+}  // namespace
+
+TetrahedronArrays in_order_of_corners(const TetrahedronArrays& unordered, std::size_t point_count,
                                       unsigned threads) {
   constexpr std::size_t kChunk = 1024;
   std::vector<Index> least;
-  least.reserve(stored.corners.size());
-  for (const Tetrahedron& t : stored.corners)
+  least.reserve(unordered.corners.size());
+  for (const Tetrahedron& t : unordered.corners)
     least.push_back(*std::min_element(t.begin(), t.end()));
   Rows<Index> by_least = group_by_key(least, point_count);
   parallel_for(point_count, threads, kChunk, [&](std::size_t v, unsigned) {
     std::vector<Tetrahedron> row;  // the three other corners, ascending, and the number
     for (const Index t : by_least[v]) {
-      Tetrahedron entry = stored.corners[t];
+      Tetrahedron entry = unordered.corners[t];
       std::sort(entry.begin(), entry.end());
       row.push_back({entry[1], entry[2], entry[3], t});
     }
@@ -130,8 +130,8 @@ TetrahedronArrays in_order_of_corners(const TetrahedronArrays& stored, std::size
   result.corners.resize(order.size());
   result.neighbours.resize(order.size());
   parallel_for(order.size(), threads, kChunk, [&](std::size_t i, unsigned) {
-    Tetrahedron corners = stored.corners[order[i]];
-    std::array<Index, 4> neighbours = stored.neighbours[order[i]];
+    Tetrahedron corners = unordered.corners[order[i]];
+    std::array<Index, 4> neighbours = unordered.neighbours[order[i]];
     for (Index& u : neighbours) u = u == kNone ? kNone : number[u];
     least_first(corners, neighbours);
     result.corners[i] = corners;
@@ -140,10 +140,8 @@ TetrahedronArrays in_order_of_corners(const TetrahedronArrays& stored, std::size
   return result;
 }
 
-}  // namespace
-
-TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads,
-                                      const Progress& progress) {
+TetrahedronArrays unordered_delaunay_tetrahedra(const std::vector<Vec3>& points,
+                                                const Progress& progress) {
   const Delaunay delaunay = triangulate(points, progress);
   if (const std::size_t repeated = points.size() - delaunay.number_of_vertices(); repeated != 0) {
     throw InputError(
@@ -153,7 +151,13 @@ TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned 
             "from the origin that no digits are left for points between its vertices: centre it "
             "with 'Transform: Translate, Center, set Origin'.");
   }
-  return in_order_of_corners(as_stored(delaunay), points.size(), threads);
+  return as_stored(delaunay);
+}
+
+TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads,
+                                      const Progress& progress) {
+  return in_order_of_corners(unordered_delaunay_tetrahedra(points, progress), points.size(),
+                             threads);
 }
 
 }  // namespace mgf

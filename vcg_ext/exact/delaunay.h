@@ -25,4 +25,12 @@ struct TetrahedronArrays {
 TetrahedronArrays delaunay_tetrahedra(const std::vector<Vec3>& points, unsigned threads = 1,
                                       const Progress& progress = {});
 
+/// The same in two steps: the tetrahedra in no order that could be relied on,
+TetrahedronArrays unordered_delaunay_tetrahedra(const std::vector<Vec3>& points,
+                                                const Progress& progress = {});
+/// and then in that of their ascending corners: what is near among the points is near among the
+/// tetrahedra, and CGAL's way to them leaves no trace.
+TetrahedronArrays in_order_of_corners(const TetrahedronArrays& unordered, std::size_t point_count,
+                                      unsigned threads = 1);
+
 }  // namespace mgf

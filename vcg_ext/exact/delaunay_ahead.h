@@ -40,7 +40,7 @@ class DelaunayAhead {
       return delaunay_tetrahedra(points, threads, progress);
     }
     while (tetrahedra_.wait_for(kBeat) != std::future_status::ready) progress.report(0.0, kStage);
-    return tetrahedra_.get();
+    return in_order_of_corners(tetrahedra_.get(), points.size(), threads);
   }
 
  private:
@@ -49,7 +49,7 @@ class DelaunayAhead {
 
   TetrahedronArrays tetrahedralise() const {
     const Progress until_stopped([this](double, const char*) { return !is_stopped_; });
-    return delaunay_tetrahedra(points_.get(), 1, until_stopped);
+    return unordered_delaunay_tetrahedra(points_.get(), until_stopped);
   }
 
   std::atomic<bool> is_stopped_{false};

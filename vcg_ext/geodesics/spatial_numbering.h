@@ -6,11 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/radix_sort.h"
 #include "vcg_ext/core/spatial_order.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
@@ -86,25 +87,21 @@ class PairNumbering {
 
  private:
   void number_pairs(const SpatialNumbering& vertices, const std::vector<VertexPair>& pairs) {
-    struct Entry {
-      VertexPair ends;
-      Index original;
-      bool operator<(const Entry& o) const {
-        return std::tie(ends.a, ends.b, original) < std::tie(o.ends.a, o.ends.b, o.original);
-      }
-    };
-    std::vector<Entry> entries;
-    for (Index i = 0; i < pairs.size(); ++i) {
-      const Index a = vertices.vertex_number(pairs[i].a);
-      const Index b = vertices.vertex_number(pairs[i].b);
-      entries.push_back({{std::min(a, b), std::max(a, b)}, i});
-      is_turned_.push_back(a < b ? 0 : 1);
+    std::vector<std::uint64_t> keys;
+    keys.reserve(pairs.size());
+    is_turned_.reserve(pairs.size());
+    for (const VertexPair& pair : pairs) {
+      const auto [a, b] =
+          std::minmax({vertices.vertex_number(pair.a), vertices.vertex_number(pair.b)});
+      keys.push_back(std::uint64_t{a} << 32U | b);
+      is_turned_.push_back(vertices.vertex_number(pair.a) == a ? 0 : 1);
     }
-    std::sort(entries.begin(), entries.end());
     pair_number_.resize(pairs.size());
-    for (Index i = 0; i < entries.size(); ++i) {
-      pairs_.push_back(entries[i].ends);
-      pair_number_[entries[i].original] = i;
+    pairs_.reserve(pairs.size());
+    for (const Index original : sorted_by_key(keys)) {
+      pair_number_[original] = to_index(pairs_.size());
+      pairs_.push_back({static_cast<Index>(keys[original] >> 32U),
+                        static_cast<Index>(keys[original] & 0xFFFFFFFFU)});
     }
   }
 

@@ -104,8 +104,8 @@ inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& inte
   ErosionOrder order;
   std::vector<double> score;
   parallel_beside(
-      threads, [&] { order = order_cells(complex, field.mgf, surface.points, 1); },
-      [&] { score = divergence_scores(complex, field, surface, 1); });
+      threads, [&] { order = order_cells(complex, field.mgf, surface.points, threads); },
+      [&] { score = divergence_scores(complex, field, surface, threads); });
   const std::vector<Index> marks =
       choose_marks(complex, score, order.edge_rank, kLoosestTheta, options.marking_rule);
   const ErodedComplex eroded =
