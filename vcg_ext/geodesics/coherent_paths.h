@@ -22,7 +22,6 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/corridor.h"
 #include "vcg_ext/geodesics/edge_paths.h"
-#include "vcg_ext/geodesics/funnel.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_paths.h"
@@ -46,7 +45,6 @@ class CoherentPaths {
         least_excess_(effort == ShorteningEffort::kFull ? -1.2 : 0.5),
         threads_(thread_count(threads)),
         paths_(paths),
-        tangents_(pairs.size()),
         changed_in_(pairs.size(), kNone),
         asked_in_(pairs.size(), kNone),
         workspaces_(threads_) {
@@ -63,15 +61,7 @@ class CoherentPaths {
 
   /// Lets paths that have been replaced by shorter ones spread, to pairs not yet proven.
   void carry_on(const std::vector<Index>& improved, const Progress& progress) {
-    Funnel funnel(mesh_);
-    for (const Index pair : improved) {
-      const auto [a, b] = pairs_[pair];
-      const std::vector<Index>& corridor = paths_.corridor[pair];
-      funnel.straighten(a, b, corridor);
-      tangents_[pair] = {funnel.tangent_at_start(a, b, corridor),
-                         funnel.tangent_at_end(a, b, corridor)};
-      queue(pair, 0);
-    }
+    for (const Index pair : improved) queue(pair, 0);
     spread(progress);
   }
 
@@ -284,9 +274,9 @@ class CoherentPaths {
     if (!(value < kInfinity)) return true;
     const double length = paths_.length[trial.from];
     if (length + least_excess_ * trial.step >= value) return false;
-    const std::array<Vec3, 2>& tangents = is_new ? best.tangents : tangents_[pair];
+    const std::array<Vec3, 2>& tangents = is_new ? best.tangents : paths_.tangents[pair];
     const Vec3& mine = tangents[pairs_[pair].a == trial.shared ? 0 : 1];
-    const Vec3& other = tangents_[trial.from][pairs_[trial.from].a == trial.shared ? 0 : 1];
+    const Vec3& other = paths_.tangents[trial.from][pairs_[trial.from].a == trial.shared ? 0 : 1];
     const double sine = std::max(0.05, 1.1 * trial.step / length);
     return mine.dot(other) <= 0.0 || mine.cross(other).norm() > sine;
   }
@@ -329,9 +319,7 @@ class CoherentPaths {
     const double length = work.shortener.shorten(way.a, way.b, work.corridor);
     if (!(length < best.length)) return;
     best.length = length;
-    const Funnel& funnel = work.shortener.funnel();
-    best.tangents = {funnel.tangent_at_start(way.a, way.b, work.corridor),
-                     funnel.tangent_at_end(way.a, way.b, work.corridor)};
+    best.tangents = work.shortener.tangents(way.a, way.b, work.corridor);
     if (way.a == pairs_[pair].a) {
       best.corridor = work.corridor;
     } else {
@@ -348,7 +336,7 @@ class CoherentPaths {
       if (!(found.length < paths_.length[pair] * (1.0 - 1e-9))) continue;
       paths_.length[pair] = found.length;
       paths_.corridor[pair] = std::move(found.corridor);
-      tangents_[pair] = found.tangents;
+      paths_.tangents[pair] = found.tangents;
       queue(pair, least);
     }
   }
@@ -371,9 +359,8 @@ class CoherentPaths {
   unsigned threads_;
   Rows<Index> pair_links_;  ///< one row per pair: the links that it is in
   PairPaths& paths_;
-  std::vector<std::array<Vec3, 2>> tangents_;  ///< one per pair, at a and at b
-  std::vector<Index> changed_in_;              ///< one per pair: last round that it was active in
-  std::vector<Index> asked_in_;                ///< one per pair: last round that it was tried in
+  std::vector<Index> changed_in_;  ///< one per pair: last round that it was active in
+  std::vector<Index> asked_in_;    ///< one per pair: last round that it was tried in
   Index round_ = 0;
   std::vector<std::vector<Index>> buckets_;  ///< changed pairs by length
   std::vector<Index> active_;

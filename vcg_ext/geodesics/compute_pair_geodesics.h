@@ -11,7 +11,6 @@
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/geodesics/coherent_paths.h"
 #include "vcg_ext/geodesics/corridor.h"
-#include "vcg_ext/geodesics/funnel.h"
 #include "vcg_ext/geodesics/halfedge_mesh.h"
 #include "vcg_ext/geodesics/pair_geodesics.h"
 #include "vcg_ext/geodesics/pair_paths.h"
@@ -33,32 +32,26 @@ struct GeodesicSurface {
 
 namespace detail {
 
-/// The answer, in the caller's numbers, from the paths: tangents from each path's first and last
-/// piece.
+/// The answer, in the caller's numbers, from the paths.
 inline PairGeodesics finish_geodesics(const GeodesicSurface& surface, const PairNumbering& question,
                                       unsigned threads, PairPaths paths) {
-  const HalfedgeMesh& mesh = surface.mesh;
   const std::size_t count = paths.length.size();
   PairGeodesics result;
   result.length.resize(count);
   result.certification.resize(count);
   result.tangent_a.assign(count, Vec3::Zero());
   result.tangent_b.assign(count, Vec3::Zero());
-  std::vector<Funnel> funnels(thread_count(threads), Funnel(mesh));
-  parallel_for(count, thread_count(threads), 256, [&](std::size_t i, unsigned worker) {
+  parallel_for(count, thread_count(threads), 1024, [&](std::size_t i, unsigned) {
     const Index pair = question.pair_number(to_index(i));
     result.length[i] = paths.length[pair];
     result.certification[i] = paths.certification[pair];
     if (!paths.has(pair)) return;
-    const auto [a, b] = question.pairs()[pair];
     std::vector<Index>& corridor = paths.corridor[pair];
-    Funnel& funnel = funnels[worker];
-    funnel.straighten(a, b, corridor);
-    result.tangent_a[i] = funnel.tangent_at_start(a, b, corridor);
-    result.tangent_b[i] = funnel.tangent_at_end(a, b, corridor);
+    result.tangent_a[i] = paths.tangents[pair][0];
+    result.tangent_b[i] = paths.tangents[pair][1];
     if (question.is_turned(to_index(i))) {
       std::swap(result.tangent_a[i], result.tangent_b[i]);
-      corridor = reversed_corridor(mesh, corridor);
+      corridor = reversed_corridor(surface.mesh, corridor);
     }
     for (Index& h : corridor) h = surface.numbering.original_halfedge(h);
   });

@@ -100,6 +100,7 @@ class Certifier {
       paths.corridor[id] = corridor_from(start, pair, proving_.pieces(slot));
     }
     double length = shortener_.shorten(pair.a, pair.b, paths.corridor[id]);
+    paths.tangents[id] = shortener_.tangents(pair.a, pair.b, paths.corridor[id]);
     const Index end = pair.a == start ? pair.b : pair.a;
     if (!PathLookup::agree(found, length) && found < length &&
         lookup_.run(start, end, found, proving_.pieces(slot))) {
@@ -107,6 +108,7 @@ class Certifier {
       const double shorter = shortener_.shorten(pair.a, pair.b, corridor);
       if (shorter < length) {
         length = shorter;
+        paths.tangents[id] = shortener_.tangents(pair.a, pair.b, corridor);
         paths.corridor[id] = std::move(corridor);
       }
     }

@@ -2,6 +2,7 @@
 // From any corridor to a locally shortest path: straighten, and flip past vertices.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -50,8 +51,12 @@ class PathShortener {
     return best_.length;
   }
 
-  /// The path that `shorten` ended with.
-  const Funnel& funnel() const { return best_.funnel; }
+  /// The unit tangents of the path that `shorten` ended with, leaving a and leaving b; its
+  /// arguments again.
+  std::array<Vec3, 2> tangents(Index a, Index b, const std::vector<Index>& corridor) const {
+    return {best_.funnel.tangent_at_start(a, b, corridor),
+            best_.funnel.tangent_at_end(a, b, corridor)};
+  }
 
  private:
   /// A corridor with its shortest path.
