@@ -96,8 +96,8 @@ Json measure(const std::string& file) {
   seconds["rough_paths"] = lap.next();
   const mgf::PairPaths full = find_paths(mesh, question, mgf::ShorteningEffort::kFull);
   seconds["full_paths"] = lap.next();
-  mgf::PathCertificate(mesh, mgf::make_search_surface(numbering.surface(), mesh), question.pairs(),
-                       1, {}, rough)
+  mgf::PathCertificate(mesh, mgf::SearchSurface(numbering.surface(), mesh), question.pairs(), 1, {},
+                       rough)
       .run(1, {});
   seconds["certificate"] = lap.next();
   line["flat_vertices"] = surface.points.size() - coarse.surface.points.size();

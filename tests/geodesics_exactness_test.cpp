@@ -212,8 +212,8 @@ TEST(GeodesicsExactness, SkippingFlatVerticesChangesNothing) {
   const std::vector<std::array<Index, 3>> no_links;
   CoherentPaths(mesh, pairs, no_links, ShorteningEffort::kFull, 1, with).run({});
   PairPaths without = with;
-  PathCertificate(mesh, make_search_surface(fine, mesh), pairs, 1, {}, with).run(1, {});
-  PathCertificate(mesh, make_search_surface(fine, mesh, false), pairs, 1, {}, without).run(1, {});
+  PathCertificate(mesh, SearchSurface(fine, mesh), pairs, 1, {}, with).run(1, {});
+  PathCertificate(mesh, SearchSurface(fine, mesh, false), pairs, 1, {}, without).run(1, {});
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     EXPECT_EQ(with.certification[i], Certification::kProven);
     EXPECT_EQ(without.certification[i], Certification::kProven);

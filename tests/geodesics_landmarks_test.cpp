@@ -151,9 +151,9 @@ TEST(Landmarks, ChangeNoLength) {
     const std::vector<std::array<Index, 3>> no_links;
     CoherentPaths(mesh, pairs, no_links, ShorteningEffort::kFull, 1, with).run({});
     PairPaths without = with;
-    PathCertificate plain(mesh, make_search_surface(surface, mesh), pairs, 1, {}, without);
+    PathCertificate plain(mesh, SearchSurface(surface, mesh), pairs, 1, {}, without);
     plain.run(1, {});
-    PathCertificate bounded(mesh, make_search_surface(surface, mesh), pairs, 2, {}, with);
+    PathCertificate bounded(mesh, SearchSurface(surface, mesh), pairs, 2, {}, with);
     EXPECT_GT(bounded.use_landmarks(kPlenty, {}), 0U);
     bounded.run(1, {});
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -172,7 +172,7 @@ TEST(Landmarks, AreUsedWhereTheyPay) {
     PairPaths paths(pairs.size());
     const std::vector<std::array<Index, 3>> no_links;
     CoherentPaths(mesh, pairs, no_links, ShorteningEffort::kRough, 1, paths).run({});
-    PathCertificate certificate(mesh, make_search_surface(surface, mesh), pairs, 1, {}, paths);
+    PathCertificate certificate(mesh, SearchSurface(surface, mesh), pairs, 1, {}, paths);
     EXPECT_EQ(certificate.use_landmarks({}), 0U) << "before any search";
     certificate.run(32, {});
     return certificate.use_landmarks({});

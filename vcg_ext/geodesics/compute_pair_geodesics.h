@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
@@ -86,16 +87,16 @@ inline PairGeodesics compute_pair_geodesics(const GeodesicSurface& surface,
   CoherentPaths carrier(mesh, question.pairs(), question.links(),
                         is_proving ? ShorteningEffort::kRough : ShorteningEffort::kFull,
                         options.threads, paths);
-  SearchSurface search;
+  std::optional<SearchSurface> search;
   parallel_beside(
       options.threads, [&] { carrier.run(progress.slice(0.0, 0.3)); },
       [&] {
-        if (is_proving) search = make_search_surface(surface.numbering.surface(), mesh);
+        if (is_proving) search.emplace(surface.numbering.surface(), mesh);
       });
   if (is_proving) {
     CertificateOptions certificate_options;
     if (options.wanted == Certification::kWithin) certificate_options.epsilon = options.epsilon;
-    PathCertificate certificate(mesh, std::move(search), question.pairs(), options.threads,
+    PathCertificate certificate(mesh, *std::move(search), question.pairs(), options.threads,
                                 certificate_options, paths);
     // What a sample of the searches repairs is carried on first: paths of a wrong class come in
     // islands, and each makes its search dear.

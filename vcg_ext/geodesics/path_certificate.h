@@ -44,7 +44,7 @@ class Certifier {
       : mesh_(mesh),
         search_(search),
         allowance_(1.0 + options.epsilon),
-        proving_(search.mesh, options.pruning, &landmarks),
+        proving_(search.mesh(), options.pruning, &landmarks),
         lookup_(mesh, search, options.pruning),
         shortener_(mesh) {}
 
@@ -55,9 +55,9 @@ class Certifier {
     proving_targets_.clear();
     for (const Index id : served) {
       const double known = paths.length[id];
-      proving_targets_.push_back({search_.places[end_of(id)], known, known / allowance_});
+      proving_targets_.push_back({search_.place(end_of(id)), known, known / allowance_});
     }
-    const bool is_complete = proving_.run(search_.places[start], proving_targets_);
+    const bool is_complete = proving_.run(search_.place(start), proving_targets_);
     windows_ += proving_.window_count();
     for (std::size_t slot = 0; slot < served.size(); ++slot) {
       settle(start, slot, served[slot], pairs[served[slot]], is_complete, paths);
@@ -96,7 +96,7 @@ class Certifier {
       paths.certification[id] = verdict();
       return;
     }
-    if (search_.is_fine && found < known) {
+    if (search_.is_fine() && found < known) {
       paths.corridor[id] = corridor_from(start, pair, proving_.pieces(slot));
     }
     double length = shortener_.shorten(pair.a, pair.b, paths.corridor[id]);
@@ -184,7 +184,7 @@ class PathCertificate {
   /// Places the landmarks that `most_windows` windows suffice for. Returns how many there are.
   std::size_t use_landmarks(std::size_t most_windows, const Progress& progress) {
     landmarks_ =
-        place_landmarks(search_.mesh, most_windows, to_index(certifiers_.size()), progress);
+        place_landmarks(search_.mesh(), most_windows, to_index(certifiers_.size()), progress);
     return landmarks_.distance.size();
   }
 

@@ -34,7 +34,7 @@ class PathLookup {
   /// these, too, at last anywhere. Returns whether it is there.
   bool run(Index start, Index end, double length, const std::vector<PathPiece>& pieces) {
     targets_.assign(1, {place_of_vertex(mesh_, end), length * (1.0 + 1e-9)});
-    allow_path(coarse_.places[start], coarse_.places[end], pieces);
+    allow_path(coarse_.place(start), coarse_.place(end), pieces);
     search_.keep_to(&allowed_);
     bool is_found = search_from(start, length);
     if (!is_found) {
@@ -65,7 +65,7 @@ class PathLookup {
       Vec3 from = position_of(piece.from, start);
       const Vec3 to = position_of(piece.to, end);
       for (std::size_t i = 0; i < piece.crossed.size(); ++i) {
-        allow_strip(triangle_of(coarse_.mesh.opposite(piece.crossed[i])), from, piece.points[i]);
+        allow_strip(triangle_of(coarse_.mesh().opposite(piece.crossed[i])), from, piece.points[i]);
         from = piece.points[i];
       }
       if (!piece.crossed.empty()) {
@@ -73,29 +73,29 @@ class PathLookup {
       } else if (piece.from == kNone || piece.to == kNone) {
         allow_strip(piece.from == kNone ? start.triangle : end.triangle, from, to);
       } else {
-        const Index edge = find_halfedge(coarse_.mesh, piece.from, piece.to);
+        const Index edge = find_halfedge(coarse_.mesh(), piece.from, piece.to);
         allow_strip(triangle_of(edge), from, to);
-        allow_strip(triangle_of(coarse_.mesh.opposite(edge)), from, to);
+        allow_strip(triangle_of(coarse_.mesh().opposite(edge)), from, to);
       }
     }
   }
 
   /// The position of a vertex of the search surface, or of the path's end if there is none.
   Vec3 position_of(Index vertex, const SurfacePlace& end) const {
-    return vertex != kNone ? coarse_.mesh.points[vertex] : end.position;
+    return vertex != kNone ? coarse_.mesh().points[vertex] : end.position;
   }
 
   /// Allows the surface's triangles in a triangle of the search surface that the line through two
   /// of its points meets.
   void allow_strip(Index triangle, const Vec3& from, const Vec3& to) {
     const Index side = 3 * triangle;
-    const HalfedgeMesh& coarse = coarse_.mesh;
+    const HalfedgeMesh& coarse = coarse_.mesh();
     const Vec3& corner = coarse.points[coarse.tail(side)];
     const Vec3 normal = (coarse.points[coarse.head(side)] - corner)
                             .cross(coarse.points[coarse.apex(side)] - corner);
     const Vec3 across = normal.cross(to - from).normalized();
     const double slack = kSlack * mesh_.mean_edge;
-    for (const Index t : coarse_.parts[triangle]) {
+    coarse_.visit_parts(triangle, [&](Index t) {
       double least = std::numeric_limits<double>::infinity();
       double most = -least;
       for (Index h = 3 * t; h < 3 * t + 3; ++h) {
@@ -104,7 +104,7 @@ class PathLookup {
         most = std::max(most, offset);
       }
       if (least <= slack && most >= -slack) allow(t);
-    }
+    });
   }
 
   /// Allows what touches the triangles allowed.

@@ -3,6 +3,8 @@
 // flat vertices.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/types.h"
@@ -13,37 +15,56 @@
 namespace mgf {
 
 /// The surface that searches run on, with each vertex of the fine surface located on it.
-struct SearchSurface {
-  HalfedgeMesh mesh;
-  bool is_fine = true;               ///< `mesh` is the fine surface itself
-  std::vector<SurfacePlace> places;  ///< one per vertex of the fine surface
-  Rows<Index> parts;                 ///< one row per triangle of `mesh`: fine triangles in it
-};
+class SearchSurface {
+ public:
+  /// The surface `fine`, whose mesh is `mesh` and must outlive this object, or, if a tenth of its
+  /// vertices or more are flat and `skip_flat_vertices` is set, one without them. O(n log n).
+  SearchSurface(const TriangleSurface& fine, const HalfedgeMesh& mesh,
+                bool skip_flat_vertices = true)
+      : fine_(mesh) {
+    if (!skip_flat_vertices) return;
+    constexpr double kWorthIt =
+        0.9;  // paths on a coarse surface have to be found again on the fine
+    const CoarseSurface without = without_flat_vertices(fine);
+    if (!(static_cast<double>(without.surface.points.size()) <
+          kWorthIt * static_cast<double>(fine.points.size()))) {
+      return;
+    }
+    Coarse coarse;
+    coarse.mesh = make_halfedge_mesh(without.surface);
+    coarse.places = places_on_coarse(fine, without, coarse.mesh);
+    coarse.parts = group_by_key(without.parent, without.surface.triangles.size());
+    coarse_ = std::move(coarse);
+  }
 
-/// The surface `fine`, whose mesh is `mesh`, or, if a tenth of its vertices or more are flat and
-/// `skip_flat_vertices` is set, one without them. O(n log n).
-inline SearchSurface make_search_surface(const TriangleSurface& fine, const HalfedgeMesh& mesh,
-                                         bool skip_flat_vertices = true) {
-  SearchSurface search;
-  const CoarseSurface coarse = skip_flat_vertices ? without_flat_vertices(fine) : CoarseSurface{};
-  constexpr double kWorthIt = 0.9;  // paths on a coarse surface have to be found again on the fine
-  if (skip_flat_vertices && static_cast<double>(coarse.surface.points.size()) <
-                                kWorthIt * static_cast<double>(fine.points.size())) {
-    search.is_fine = false;
-    search.mesh = make_halfedge_mesh(coarse.surface);
-    search.places = places_on_coarse(fine, coarse, search.mesh);
-    search.parts = group_by_key(coarse.parent, coarse.surface.triangles.size());
-    return search;
+  /// Whether it is the fine surface itself.
+  bool is_fine() const { return !coarse_; }
+  const HalfedgeMesh& mesh() const { return coarse_ ? coarse_->mesh : fine_; }
+
+  /// Where a vertex of the fine surface is.
+  SurfacePlace place(Index vertex) const {
+    return coarse_ ? coarse_->places[vertex] : place_of_vertex(fine_, vertex);
   }
-  search.mesh = mesh;
-  for (Index v = 0; v < fine.points.size(); ++v) {
-    search.places.push_back(place_of_vertex(search.mesh, v));
+
+  /// Calls `visit` for the fine triangles in a triangle of `mesh()`.
+  template <class Visit>
+  void visit_parts(Index triangle, const Visit& visit) const {
+    if (!coarse_) {
+      visit(triangle);
+      return;
+    }
+    for (const Index part : coarse_->parts[triangle]) visit(part);
   }
-  for (Index t = 0; t < fine.triangles.size(); ++t) {
-    search.parts.items.push_back(t);
-    search.parts.close_row();
-  }
-  return search;
-}
+
+ private:
+  struct Coarse {
+    HalfedgeMesh mesh;
+    std::vector<SurfacePlace> places;  ///< one per vertex of the fine surface
+    Rows<Index> parts;                 ///< one row per triangle of `mesh`: fine triangles in it
+  };
+
+  const HalfedgeMesh& fine_;
+  std::optional<Coarse> coarse_;
+};
 
 }  // namespace mgf
