@@ -43,7 +43,8 @@ inline Anatomy dissect(const TriangleSurface& surface, double threshold) {
       [&tree](const Vec3& p) { return tree.inside(p); },
       [&tree](const Vec3& a, const Vec3& b) { return a == b || !tree.segment_meets(a, b); }};
   const SkeletonHierarchy hierarchy = build_skeleton_hierarchy(
-      interior, complex, field, surface, bounding_box_diagonal(surface.points), {}, inside);
+      interior, complex, field, surface, bounding_box_diagonal(surface.points), {},
+      [&inside] { return inside; });
   Anatomy result;
   result.skeleton = skeleton_at(hierarchy, defaults.theta, defaults.prune);
   const BranchGraph graph = build_branches(result.skeleton);

@@ -77,7 +77,7 @@ TEST(Sampling, RefinesWhatHasTooFewVertices) {
     EXPECT_LT(refined.surface.points.size(), 1000U);
     EXPECT_TRUE(exact::self_intersections(refined.surface).empty());
     const Shells shells = find_pieces(refined.surface, make_edge_table(refined.surface.triangles));
-    EXPECT_TRUE(too_coarse_faces(refined.surface, shells).empty());
+    EXPECT_TRUE(too_coarse_faces(refined.surface, SurfaceTree(refined.surface), shells).empty());
   }
 }
 

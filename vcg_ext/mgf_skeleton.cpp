@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/parallel.h"
@@ -119,7 +120,7 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
 
   // The diagnosis has found out whether automatic sampling has anything to do.
   const bool dense = !options.sampling.length && axis.diagnosis.find("too_coarse") == nullptr;
-  const RefinedSurface sampled =
+  RefinedSurface sampled =
       dense ? unrefined(axis.working.surface)
             : refine_sampling(axis.working.surface, options.sampling, progress.slice(0.15, 0.3));
   clock.finish("sampling", axis.times);
@@ -134,7 +135,7 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   const std::vector<Vec3> added(
       axis.interior.points.begin() + static_cast<std::ptrdiff_t>(axis.interior.input_points),
       axis.interior.points.end());
-  axis.surface = added.empty() ? sampled : insert_points(sampled, added);
+  axis.surface = added.empty() ? std::move(sampled) : insert_points(sampled, added);
   axis.samples_added = to_index(axis.surface.surface.points.size()) - axis.surface.input_points;
   axis.complex = build_medial_complex(axis.interior, threads, [&](MedialComplex& complex) {
     const SurfaceTree tree(axis.working.surface);
@@ -165,11 +166,13 @@ CurveSkeletonResult compute_skeleton_hierarchy(const MedialAxis& axis,
   CurveSkeletonResult result;
   StageClock clock;
   progress.report(0.0, "Erosion");
-  const SurfaceTree tree(axis.working.surface);
+  std::optional<SurfaceTree> tree;
   result.hierarchy =
       build_skeleton_hierarchy(axis.interior, axis.complex, field, axis.surface.surface,
-                               bounding_box_diagonal(axis.interior.points), options,
-                               shape_interior(tree, axis.working.self_intersecting()));
+                               bounding_box_diagonal(axis.interior.points), options, [&] {
+                                 tree.emplace(axis.working.surface);
+                                 return shape_interior(*tree, axis.working.self_intersecting());
+                               });
   clock.finish("skeleton", result.times);
 
   const SkeletonHierarchy& hierarchy = result.hierarchy;

@@ -38,6 +38,17 @@ inline Box box_of_triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
 }
 
+/// The box of each triangle.
+inline std::vector<Box> face_boxes(const std::vector<Vec3>& points,
+                                   const std::vector<Triangle>& triangles) {
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    boxes.push_back(box_of_triangle(points[t[0]], points[t[1]], points[t[2]]));
+  }
+  return boxes;
+}
+
 /// Items given by their boxes, in a binary tree of boxes. Built in O(n log n). Threads may share it
 /// as long as none extends it. Visits come in a fixed order.
 class BoxTree {

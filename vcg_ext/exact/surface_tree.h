@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "vcg_ext/core/box_tree.h"
@@ -41,7 +42,10 @@ Vec3 nearest_point_of_triangle(const Vec3& p, const Vec3& a, const Vec3& b, cons
 class SurfaceTree {
  public:
   explicit SurfaceTree(const TriangleSurface& surface)
-      : surface_(surface), tree_(face_boxes(surface)) {}
+      : SurfaceTree(surface, BoxTree(face_boxes(surface.points, surface.triangles))) {}
+  /// With the tree of the boxes of the faces, made before.
+  SurfaceTree(const TriangleSurface& surface, BoxTree boxes)
+      : surface_(surface), tree_(std::move(boxes)) {}
 
   /// The surface point nearest to `point`; face kNone if the surface has no face.
   SurfacePoint nearest(const Vec3& point) const;
@@ -80,15 +84,6 @@ class SurfaceTree {
   void visit_crossings(const Vec3& point, const Visit& visit) const;
 
  private:
-  static std::vector<Box> face_boxes(const TriangleSurface& surface) {
-    std::vector<Box> boxes;
-    boxes.reserve(surface.triangles.size());
-    for (const Triangle& t : surface.triangles) {
-      boxes.push_back(
-          box_of_triangle(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]));
-    }
-    return boxes;
-  }
   const Vec3& corner(Index face, std::size_t i) const {
     return surface_.points[surface_.triangles[face][i]];
   }

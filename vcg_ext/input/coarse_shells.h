@@ -111,9 +111,9 @@ inline CoarseShells find_coarse_shells(const TriangleSurface& surface, const Sur
 }
 
 /// The faces coarser than the thickness in those of the `shells` that are too coarse; ascending.
-inline std::vector<Index> too_coarse_faces(const TriangleSurface& surface, const Shells& shells,
-                                           unsigned threads = 0) {
-  const SurfaceTree tree(surface);
+/// Arguments as above.
+inline std::vector<Index> too_coarse_faces(const TriangleSurface& surface, const SurfaceTree& tree,
+                                           const Shells& shells, unsigned threads = 0) {
   const CoarseShells coarse = find_coarse_shells(surface, tree, shells, threads);
   std::vector<Index> faces;
   for (Index f = 0; f < surface.triangles.size(); ++f) {

@@ -11,9 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "vcg_ext/core/box_tree.h"
 #include "vcg_ext/core/errors.h"
 #include "vcg_ext/core/types.h"
 #include "vcg_ext/exact/self_intersections.h"
+#include "vcg_ext/exact/surface_tree.h"
 #include "vcg_ext/input/cleaning.h"
 #include "vcg_ext/input/coarse_shells.h"
 #include "vcg_ext/input/edge_table.h"
@@ -202,14 +204,15 @@ inline void check_shells(const Shells& shells, const DiagnosisOptions& options,
 }
 
 /// Faces that automatic sampling would split, whichever way the shells look.
-inline void check_sampling(const TriangleSurface& surface, const Shells& shells, unsigned threads,
-                           std::vector<Finding>& findings) {
+inline void check_sampling(const TriangleSurface& surface, BoxTree boxes, const Shells& shells,
+                           unsigned threads, std::vector<Finding>& findings) {
   TriangleSurface outward = surface;
   for (std::size_t f = 0; f < outward.triangles.size(); ++f) {
     Triangle& t = outward.triangles[f];
     if (shells.shells[shells.of_face[f]].signed_volume < 0.0) std::swap(t[1], t[2]);
   }
-  std::vector<Index> faces = too_coarse_faces(outward, shells, threads);
+  std::vector<Index> faces =
+      too_coarse_faces(outward, SurfaceTree(outward, std::move(boxes)), shells, threads);
   if (faces.empty()) return;
   const std::size_t count = faces.size();
   findings.push_back(make_finding("too_coarse", Severity::kWarning, count, std::move(faces)));
@@ -225,13 +228,15 @@ inline std::vector<Finding> examine(const TriangleSurface& surface, bool sound,
   if (surface.triangles.empty()) return {make_finding("no_faces", Severity::kFatal, 1)};
   const EdgeTable edges = make_edge_table(surface.triangles);
   findings = check_manifold(surface, edges);
-  diagnosis.crossings = exact::self_intersections(surface, options.threads);
+  BoxTree boxes(face_boxes(surface.points, surface.triangles));
+  diagnosis.crossings = exact::self_intersections(surface, boxes, options.threads);
   if (on_crossings && !diagnosis.crossings.empty()) on_crossings();
   check_self_intersections(diagnosis.crossings, findings);
   if (!sound || is_fatal(findings)) return findings;
   Shells shells = find_shells(surface, edges, diagnosis.crossings);
   check_shells(shells, options, findings);
-  if (!is_fatal(findings)) check_sampling(surface, shells, options.threads, findings);
+  if (!is_fatal(findings))
+    check_sampling(surface, std::move(boxes), shells, options.threads, findings);
   diagnosis.shells = std::move(shells.shells);
   for (const Shell& shell : diagnosis.shells) {
     if (shell.inside_shell == kNone) diagnosis.genus += static_cast<Index>(shell.genus);

@@ -94,7 +94,7 @@ class Untangler {
         before_(surface.points),
         longest_share_(kLongestShare * bounding_box_diagonal(surface.points)),
         faces_at_(faces_by_corner(surface)),
-        tree_(face_boxes(surface)) {
+        tree_(face_boxes(surface.points, surface.triangles)) {
     find_tangles();
   }
 
@@ -120,12 +120,6 @@ class Untangler {
   static Box face_box(const TriangleSurface& surface, Index face) {
     const Triangle& t = surface.triangles[face];
     return box_of_triangle(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
-  }
-  static std::vector<Box> face_boxes(const TriangleSurface& surface) {
-    std::vector<Box> boxes;
-    boxes.reserve(surface.triangles.size());
-    for (Index f = 0; f < surface.triangles.size(); ++f) boxes.push_back(face_box(surface, f));
-    return boxes;
   }
 
   // Groups the crossing faces; leaves out groups of several shells.

@@ -34,7 +34,7 @@ class IsotopyGuard {
       return !exact::collinear(points_[c], points_[a], points_[d]) &&
              !exact::collinear(points_[d], points_[b], points_[c]);
     }
-    if (!tree_) tree_.emplace(face_boxes());
+    if (!tree_) tree_.emplace(face_boxes(points_, surface_.faces()));
     Box box = box_of(surface_.face(f));
     box.extend(box_of(surface_.face(g)));
     bool free = true;
@@ -54,13 +54,6 @@ class IsotopyGuard {
  private:
   Box box_of(const Triangle& t) const {
     return box_of_triangle(points_[t[0]], points_[t[1]], points_[t[2]]);
-  }
-
-  std::vector<Box> face_boxes() const {
-    std::vector<Box> boxes;
-    boxes.reserve(surface_.faces().size());
-    for (const Triangle& t : surface_.faces()) boxes.push_back(box_of(t));
-    return boxes;
   }
 
   // +1 if the vertex is strictly on the side of the tetrahedron's face opposite corner i where

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -93,13 +94,11 @@ inline VoronoiSkeleton contract_coincident_nodes(const VoronoiSkeleton& drawing,
 
 /// Marks at the loosest theta, erodes once, and draws what is left inside the shape.
 /// `surface` is numbered as the contacts; `scale` is a length of the size of the shape (its
-/// diagonal).
-inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& interior,
-                                                  const MedialComplex& complex,
-                                                  const MedialGeodesicField& field,
-                                                  const TriangleSurface& surface, double scale,
-                                                  const SkeletonOptions& options,
-                                                  const ShapeInterior& shape) {
+/// diagonal); `make_shape` may be called on another thread.
+inline SkeletonHierarchy build_skeleton_hierarchy(
+    const InteriorTetrahedra& interior, const MedialComplex& complex,
+    const MedialGeodesicField& field, const TriangleSurface& surface, double scale,
+    const SkeletonOptions& options, const std::function<ShapeInterior()>& make_shape) {
   const unsigned threads = thread_count(options.threads);
   ErosionOrder order;
   std::vector<double> score;
@@ -108,9 +107,16 @@ inline SkeletonHierarchy build_skeleton_hierarchy(const InteriorTetrahedra& inte
       [&] { score = divergence_scores(complex, field, surface, threads); });
   const std::vector<Index> marks =
       choose_marks(complex, score, order.edge_rank, kLoosestTheta, options.marking_rule);
-  const ErodedComplex eroded =
-      Erosion(complex, order, field.mgf).run(marks, score, options.open_pockets);
-  const ThetaBirths births = compute_theta_births(complex, eroded, order, kLoosestTheta);
+  ErodedComplex eroded;
+  ThetaBirths births;
+  ShapeInterior shape;
+  parallel_beside(
+      threads,
+      [&] {
+        eroded = Erosion(complex, order, field.mgf).run(marks, score, options.open_pockets);
+        births = compute_theta_births(complex, eroded, order, kLoosestTheta);
+      },
+      [&] { shape = make_shape(); });
   VoronoiSkeleton drawing = detail::contract_coincident_nodes(
       draw_skeleton(complex, field, surface.points, eroded, births, threads), scale);
   route_inside(interior, shape, threads, drawing);
