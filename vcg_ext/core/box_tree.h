@@ -60,6 +60,11 @@ class BoxTree {
     build(sorted_codes, 0, to_index(boxes_.size()));
   }
 
+  /// A box round all; of no extent at the origin if there is none.
+  Box bounds() const {
+    return nodes_.empty() ? Box{Vec3::Zero(), Vec3::Zero()} : nodes_.front().box;
+  }
+
   /// Makes the box of `item` hold `box`, too. O(log n).
   void extend(Index item, const Box& box) {
     const Index place = place_of_item_[item];

@@ -94,32 +94,38 @@ class SurfaceTree {
 
 namespace detail {
 
-/// A closed segment against boxes. May say yes to a box that it misses by a rounding error, never
-/// no to one that it meets.
+/// A closed segment against boxes within `bounds`. May say yes to a box that it misses by a
+/// rounding error, never no to one that it meets.
 class SegmentBoxFilter {
  public:
-  SegmentBoxFilter(const Vec3& a, const Vec3& b)
-      : box_{a.cwiseMin(b), a.cwiseMax(b)}, middle_(0.5 * (a + b)), half_(0.5 * (b - a)) {}
+  SegmentBoxFilter(const Vec3& a, const Vec3& b, const Box& bounds)
+      : box_{a.cwiseMin(b), a.cwiseMax(b)},
+        middle_(0.5 * (a + b)),
+        half_(0.5 * (b - a)),
+        half_size_(half_.cwiseAbs()) {
+    const double scale = bounds.low.cwiseAbs().maxCoeff() + bounds.high.cwiseAbs().maxCoeff() +
+                         middle_.cwiseAbs().maxCoeff() + half_size_.maxCoeff();
+    slack_ = kSlack * scale * (scale + half_size_.maxCoeff());
+  }
 
   bool operator()(const Box& box) const {
     if (!box_.meets(box)) return false;
     const Vec3 to_box = 0.5 * (box.low + box.high) - middle_;
     const Vec3 size = 0.5 * (box.high - box.low);
-    const double scale = box.low.cwiseAbs().maxCoeff() + box.high.cwiseAbs().maxCoeff() +
-                         middle_.cwiseAbs().maxCoeff() + half_.cwiseAbs().maxCoeff();
     const Vec3 normal = to_box.cross(half_).cwiseAbs();
-    const Vec3 h = half_.cwiseAbs();
-    const double slack = kSlack * scale * (scale + h.maxCoeff());
-    return normal.x() <= size.y() * h.z() + size.z() * h.y() + slack &&
-           normal.y() <= size.x() * h.z() + size.z() * h.x() + slack &&
-           normal.z() <= size.x() * h.y() + size.y() * h.x() + slack;
+    const Vec3& h = half_size_;
+    return normal.x() <= size.y() * h.z() + size.z() * h.y() + slack_ &&
+           normal.y() <= size.x() * h.z() + size.z() * h.x() + slack_ &&
+           normal.z() <= size.x() * h.y() + size.y() * h.x() + slack_;
   }
 
  private:
   static constexpr double kSlack = 64.0 * std::numeric_limits<double>::epsilon();
   Box box_;
   Vec3 middle_;
-  Vec3 half_;
+  Vec3 half_;  // from there to an end
+  Vec3 half_size_;
+  double slack_ = 0.0;  // what rounding may make of it in any box
 };
 
 /// Sign of the orientation of a, b, p + (e, e^2) seen from above, for an infinitesimal e > 0;
@@ -170,7 +176,7 @@ inline SurfacePoint SurfaceTree::nearest(const Vec3& point) const {
 template <class Skip>
 bool SurfaceTree::segment_meets(const Vec3& a, const Vec3& b, const Skip& skip) const {
   bool meets = false;
-  const detail::SegmentBoxFilter filter(a, b);
+  const detail::SegmentBoxFilter filter(a, b, tree_.bounds());
   tree_.visit([&](const Box& box) { return !meets && filter(box); },
               [&](Index face) {
                 if (meets || skip(face)) return;
@@ -185,7 +191,7 @@ std::optional<SurfacePoint> SurfaceTree::first_hit(const Vec3& a, const Vec3& b,
                                                    const Skip& skip) const {
   std::optional<SurfacePoint> first;
   double first_share = 1.0;
-  const detail::SegmentBoxFilter filter(a, b);
+  const detail::SegmentBoxFilter filter(a, b, tree_.bounds());
   tree_.visit(filter, [&](Index face) {
     const Vec3& p = corner(face, 0);
     const Vec3& q = corner(face, 1);

@@ -38,7 +38,7 @@ struct SamplingOptions {
 /// Automatic: a shell is too coarse if faces longer than it is thick beneath them make more than
 /// a quarter of its area; its edges are then split while longer than 0.7 of the thickness there (a
 /// rule measured on boxes, blocks, cylinders and scans; scans are left alone) and than 0.7 % of the
-/// diagonal. Both lengths are multiplied by the least of 1, 3/2, 9/4, ... for which 1500 points
+/// diagonal. Both lengths are multiplied by the least of 1, 3/2, 9/4, ... for which 2000 points
 /// (8000 from 9/4 on), or as many as there are vertices, are enough: even sampling, though sparse,
 /// is better than a part well sampled.
 ///
