@@ -205,6 +205,18 @@ TEST(Untangling, DoesNotDependOnTheNumberingOfVertices) {
   }
 }
 
+TEST(Untangling, ThreadsDoNotChangeTheResult) {
+  const TriangleSurface tangled = shaken(torus(60, 20, 2.0, 0.7), 0.08, 1);
+  const auto crossings = exact::self_intersections(tangled);
+  ASSERT_GT(crossings.size(), 100U);
+  TriangleSurface by_one = tangled;
+  TriangleSurface by_three = tangled;
+  const Untangling one = untangle(by_one, crossings, 1);
+  const Untangling three = untangle(by_three, crossings, 3);
+  EXPECT_EQ(by_one.points, by_three.points);
+  EXPECT_EQ(one.left, three.left);
+}
+
 TEST(Untangling, TheWorkingCopySaysWhatWasMoved) {
   const TriangleSurface tangled = with_faces_turned_over(sphere(4), {3, 400});
   const Diagnosis diagnosis = diagnose(tangled);

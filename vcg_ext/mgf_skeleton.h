@@ -42,6 +42,7 @@ struct MedialAxisOptions {
   /// How many threads all of that may use; 0: all.
   void use_threads(unsigned threads) {
     diagnosis.threads = threads;
+    preparation.threads = threads;
     sampling.threads = threads;
     recovery.threads = threads;
   }

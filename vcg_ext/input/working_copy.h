@@ -44,6 +44,7 @@ struct WorkingCopy {
 /// What is done to the working copy besides the harmless repairs.
 struct PreparationOptions {
   bool mend_crossings = true;  ///< part faces that cross near each other, see `untangle`
+  unsigned threads = 0;        ///< 0: all; the result is the same for any number
 };
 
 namespace detail {
@@ -109,9 +110,10 @@ inline bool same_solids(const Shells& before, const Shells& after) {
 }
 
 /// Parts what can be parted of the working copy's `crossings`.
-inline void mend_crossings(std::vector<std::array<Index, 2>> crossings, WorkingCopy& copy) {
+inline void mend_crossings(std::vector<std::array<Index, 2>> crossings, unsigned threads,
+                           WorkingCopy& copy) {
   TriangleSurface mended = copy.surface;
-  Untangling untangling = untangle(mended, crossings);
+  Untangling untangling = untangle(mended, crossings, threads);
   if (!untangling.moved.empty()) {
     const EdgeTable edges = make_edge_table(mended.triangles);
     if (same_solids(find_shells(copy.surface, edges, crossings),
@@ -189,7 +191,7 @@ inline WorkingCopy prepare(const TriangleSurface& input, const Diagnosis& diagno
 
   auto crossings = detail::crossings_left(diagnosis.crossings, copy.face_of_input);
   if (options.mend_crossings && !crossings.empty()) {
-    detail::mend_crossings(std::move(crossings), copy);
+    detail::mend_crossings(std::move(crossings), options.threads, copy);
   } else {
     copy.untangling.left = std::move(crossings);
   }
