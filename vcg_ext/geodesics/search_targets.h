@@ -2,6 +2,7 @@
 // The targets of a search, and which windows can still matter to any of them.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -54,13 +55,16 @@ class SearchTargets {
   void assign(const std::vector<PropagationTarget>& targets) {
     for (const Target& target : targets_) slot_of(target.place) = kNone;
     targets_.clear();
-    aims_.clear();
+    places_.resize(static_cast<Eigen::Index>(targets.size()), 3);
+    bounds_.resize(places_.rows());
     rests_.clear();
     has_any_in_triangles_ = false;
     for (const PropagationTarget& asked : targets) {
+      const auto i = static_cast<Eigen::Index>(targets_.size());
       Target target;
       target.place = asked.place;
-      aims_.push_back({asked.place.position, asked.limit});
+      places_.row(i) = asked.place.position.transpose().array();
+      bounds_[i] = asked.limit;
       Index& slot = slot_of(asked.place);
       target.next = slot;
       slot = to_index(targets_.size());
@@ -89,8 +93,8 @@ class SearchTargets {
     target.distance = distance;
     target.root = root;
     target.trail = trail;
-    if (distance < aims_[i].bound) {
-      aims_[i].bound = distance;
+    if (distance < bounds_[i]) {
+      bounds_[i] = distance;
       refresh_reach();
     }
   }
@@ -100,14 +104,21 @@ class SearchTargets {
   /// numbers are kept until the next search; `most` is the largest.
   Index rests(Index v, double& most) {
     const Index first = to_index(rests_.size());
-    rests_.resize(rests_.size() + aims_.size());
     most = -kInfinity;
-    for (std::size_t i = 0; i < aims_.size(); ++i) {
-      double rest = aims_[i].bound - (aims_[i].position - mesh_.points[v]).norm();
-      if (!from_landmarks_.empty()) rest = std::min(rest, rest_by_landmarks(i, v));
-      rests_[first + i] = rest + tolerance_;
-      most = std::max(most, rest + tolerance_);
+    if (targets_.empty()) return first;
+    rests_.resize(rests_.size() + targets_.size());
+    Eigen::Map<Eigen::ArrayXd> rests(&rests_[first], bounds_.size());
+    const Vec3& p = mesh_.points[v];
+    rests = bounds_ - ((places_.col(0) - p.x()).square() + (places_.col(1) - p.y()).square() +
+                       (places_.col(2) - p.z()).square())
+                          .sqrt();
+    if (!from_landmarks_.empty()) {
+      for (std::size_t i = 0; i < targets_.size(); ++i) {
+        rests_[first + i] = std::min(rests_[first + i], rest_by_landmarks(i, v));
+      }
     }
+    rests += tolerance_;
+    most = rests.maxCoeff();
     return first;
   }
 
@@ -122,10 +133,10 @@ class SearchTargets {
     const double by_head =
         offset + std::sqrt(interval.left_square) - (1.0 - interval.left) * interval.length;
     const EdgeInSpace edge(mesh_, window, interval.length);
-    for (std::size_t i = 0; i < aims_.size(); ++i) {
+    for (std::size_t i = 0; i < targets_.size(); ++i) {
       if (std::min(rests_[tail_rests + i] - by_tail, rests_[head_rests + i] - by_head) < 0.0)
         continue;
-      if (is_within(window, interval, edge, aims_[i], offset)) return true;
+      if (is_within(window, interval, edge, i, offset)) return true;
     }
     return false;
   }
@@ -136,8 +147,7 @@ class SearchTargets {
   }
 
   void refresh_reach() {
-    reach_ = aims_.empty() ? kInfinity : 0.0;
-    for (const Aim& aim : aims_) reach_ = std::max(reach_, aim.bound);
+    reach_ = targets_.empty() ? kInfinity : std::max(0.0, bounds_.maxCoeff());
   }
 
   /// A path of length l to a point at distance d of a landmark has at least |d - d'| to go to a
@@ -150,7 +160,7 @@ class SearchTargets {
       for (const std::vector<double>& row : landmarks_->distance) {
         const DistanceRange range = distance_of_place(mesh_, row, targets_[i].place);
         from_landmarks_.push_back(
-            {aims_[i].bound + range.most + rounding, aims_[i].bound - range.least + rounding});
+            {bound_of(i) + range.most + rounding, bound_of(i) - range.least + rounding});
       }
     }
   }
@@ -178,19 +188,15 @@ class SearchTargets {
     double inverse_square;  ///< of its length
   };
 
-  /// What searches need of a target all the time.
-  struct Aim {
-    Vec3 position;
-    double bound;  ///< paths longer than this don't matter
-  };
+  double bound_of(std::size_t i) const { return bounds_[static_cast<Eigen::Index>(i)]; }
 
-  /// Whether the shortest way from the root through the window to a target, which is straight or
+  /// Whether the shortest way from the root through the window to target i, which is straight or
   /// bends at an end of the window, is at most as long as the target's bound.
   bool is_within(const Window& window, const WindowInterval& interval, const EdgeInSpace& edge,
-                 const Aim& aim, double offset) const {
-    const double allowed = aim.bound + tolerance_ - offset;
+                 std::size_t i, double offset) const {
+    const double allowed = bound_of(i) + tolerance_ - offset;
     // Turn the target about the edge's line until it lies flat beyond the edge.
-    const Vec3 arm = aim.position - edge.tail;
+    const Vec3 arm = targets_[i].place.position - edge.tail;
     const Vec2 place =
         place_beside(window.ends[Window::kTail].place, window.ends[Window::kHead].place,
                      edge.span.dot(arm) * edge.inverse_square,
@@ -219,7 +225,8 @@ class SearchTargets {
   const Landmarks* landmarks_;
   std::vector<FromLandmark> from_landmarks_;  ///< a row per target, of one per landmark
   std::vector<Target> targets_;
-  std::vector<Aim> aims_;           ///< one per target
+  Eigen::ArrayX3d places_;          ///< one row per target
+  Eigen::ArrayXd bounds_;           ///< one per target: longer paths don't matter
   std::vector<Index> at_vertex_;    ///< one per vertex: the first target at it, or kNone
   std::vector<Index> in_triangle_;  ///< one per triangle: the first target in it, or kNone
   double reach_ = 0.0;
