@@ -147,7 +147,8 @@ class SearchTargets {
   }
 
   void refresh_reach() {
-    reach_ = targets_.empty() ? kInfinity : std::max(0.0, bounds_.maxCoeff());
+    reach_ = kInfinity;
+    if (!targets_.empty()) reach_ = std::max(0.0, bounds_.maxCoeff());
   }
 
   /// A path of length l to a point at distance d of a landmark has at least |d - d'| to go to a
