@@ -221,6 +221,25 @@ TEST(GeodesicsExactness, SkippingFlatVerticesChangesNothing) {
   }
 }
 
+TEST(GeodesicsExactness, TangentsAreThoseOfThePathInTheCorridor) {
+  // On the second one, paths are searched for without flat vertices, and found again.
+  for (const TriangleSurface& surface :
+       {bumpy_sphere(3, 0.3, 5),
+        midpoint_subdivided(midpoint_subdivided(bumpy_sphere(1, 0.4, 3)))}) {
+    const HalfedgeMesh mesh = make_halfedge_mesh(surface);
+    const std::vector<VertexPair> pairs = random_pairs(surface, 500, 9);
+    const PairGeodesics found = solve(surface, pairs);
+    Funnel funnel(mesh);
+    for (Index i = 0; i < pairs.size(); ++i) {
+      const auto [a, b] = pairs[i];
+      const std::vector<Index> corridor(found.corridor[i].begin(), found.corridor[i].end());
+      EXPECT_NEAR(funnel.straighten(a, b, corridor), found.length[i], 1e-11 * found.length[i]);
+      EXPECT_LT((funnel.tangent_at_start(a, b, corridor) - found.tangent_a[i]).norm(), 1e-9);
+      EXPECT_LT((funnel.tangent_at_end(a, b, corridor) - found.tangent_b[i]).norm(), 1e-9);
+    }
+  }
+}
+
 TEST(GeodesicsExactness, FlatVerticesGoFromPlanesAndCreasesOnly) {
   const TriangleSurface box = gridded_box(Vec3(2, 3, 4), 4, 6, 8);
   const CoarseSurface coarse = without_flat_vertices(box);

@@ -129,6 +129,7 @@ MedialAxis compute_medial_axis(const TriangleSurface& input, const MedialAxisOpt
   recovery.known_crossings = axis.working.untangling.left.size();
   axis.interior = recover_interior(sampled.surface, recovery, progress.slice(0.3, 0.9),
                                    ahead ? &*ahead : nullptr);
+  ahead.reset();
   clock.finish("topology", axis.times);
 
   progress.report(0.9, "Medial complex");

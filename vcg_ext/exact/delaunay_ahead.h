@@ -37,6 +37,7 @@ class DelaunayAhead {
                            const Progress& progress) {
     if (is_stopped_ || points != points_.get()) {
       stop();
+      tetrahedra_ = {};  // waits for the thread, and frees what it has made
       return delaunay_tetrahedra(points, threads, progress);
     }
     while (tetrahedra_.wait_for(kBeat) != std::future_status::ready) progress.report(0.0, kStage);
