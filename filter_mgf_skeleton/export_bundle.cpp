@@ -59,13 +59,23 @@ void write_skeleton_files(const std::filesystem::path& folder, const ExportBundl
   io::write_branches_csv(folder / "branches.csv", graph);
 }
 
+// `mesh` with numbers only: the diagnosis asks for them at the vertices in use, files at all.
+TriangleSurface with_numbers_only(const TriangleSurface& mesh) {
+  TriangleSurface result = mesh;
+  for (Vec3& point : result.points) {
+    if (!point.allFinite()) point.setZero();
+  }
+  return result;
+}
+
 void write_surface_files(const std::filesystem::path& folder, const ExportBundle& bundle) {
+  const TriangleSurface mesh = with_numbers_only(bundle.mesh);
   const std::vector<Index> speaking = faces_speaking_for(bundle.mesh, bundle.study.axis->working);
   io::write_circles(folder / "circles.ply", bundle.analysis.circles);
-  io::write_segmentation(folder / "segmentation.ply", bundle.mesh,
+  io::write_segmentation(folder / "segmentation.ply", mesh,
                          on_user_faces(bundle.analysis.segmentation, speaking));
-  io::write_parts(folder / "parts.ply", bundle.mesh,
-                  on_user_faces(bundle.analysis.map.faces, speaking), bundle.analysis.graph);
+  io::write_parts(folder / "parts.ply", mesh, on_user_faces(bundle.analysis.map.faces, speaking),
+                  bundle.analysis.graph);
 }
 
 void write_tubes_file(const std::filesystem::path& folder, const ExportBundle& bundle) {

@@ -55,6 +55,20 @@ TEST(ExportFiles, LeavesAllFilesAndNoLayer) {
                                           "skeleton.vtp", "skeleton_smooth.ply", "tubes.ply"}));
 }
 
+TEST(ExportFiles, WritesVerticesThatNoFaceUsesAsNumbers) {
+  const TemporaryFolder folder;
+  Workbench workbench;
+  TriangleSurface stray = small_torus();
+  stray.points.push_back(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  const FilterOutcome outcome =
+      run("Export Curve Skeleton Files", stray, workbench,
+          [&](ParameterValues& values) { values.set("outputFolder", folder.path().string()); });
+  ASSERT_FALSE(outcome.failure) << outcome.failure->message;
+  const std::string header = text_of(folder.path() / "segmentation.ply").substr(0, 1000);
+  EXPECT_NE(header.find("element vertex " + std::to_string(stray.points.size())),
+            std::string::npos);
+}
+
 TEST(ExportFiles, OfARefusedMeshLeavesTheReasonAlone) {
   const TemporaryFolder folder;
   Workbench workbench;
