@@ -23,8 +23,8 @@ class SearchSurface {
                 bool skip_flat_vertices = true)
       : fine_(mesh) {
     if (!skip_flat_vertices) return;
-    constexpr double kWorthIt =
-        0.9;  // paths on a coarse surface have to be found again on the fine
+    // Paths on a coarse surface have to be found again on the fine one.
+    constexpr double kWorthIt = 0.9;
     const CoarseSurface without = without_flat_vertices(fine);
     if (!(static_cast<double>(without.surface.points.size()) <
           kWorthIt * static_cast<double>(fine.points.size()))) {

@@ -226,7 +226,7 @@ class SearchTargets {
   const Landmarks* landmarks_;
   std::vector<FromLandmark> from_landmarks_;  ///< a row per target, of one per landmark
   std::vector<Target> targets_;
-  Eigen::ArrayX3d places_;          ///< one row per target
+  Eigen::ArrayX3d places_;          ///< one row per target: its position, once more, for `rests`
   Eigen::ArrayXd bounds_;           ///< one per target: longer paths don't matter
   std::vector<Index> at_vertex_;    ///< one per vertex: the first target at it, or kNone
   std::vector<Index> in_triangle_;  ///< one per triangle: the first target in it, or kNone
